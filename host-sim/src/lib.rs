@@ -1,0 +1,3 @@
+//! Worlds, experiments and reports around `cla-core`.
+
+pub mod world;

@@ -1,0 +1,37 @@
+//! Worlds that a brain can live in.
+
+use cla_core::clasm::ItemStates;
+
+/// Words of the item sets that worlds report in: up to 128 primitive items.
+pub const WORLD_WORDS: usize = 4;
+
+/// What the robot's sensors report at one moment.
+pub type Percept = ItemStates<WORLD_WORDS>;
+
+/// A body in a surrounding: primitive items to sense, primitive actions to do.
+///
+/// A world is deterministic: the same seed and the same actions give the same percepts.
+pub trait World {
+    /// The names of the primitive items, in the order of their ids.
+    fn items(&self) -> &'static [&'static str];
+
+    /// The names of the primitive actions, in the order of their ids.
+    fn actions(&self) -> &'static [&'static str];
+
+    /// What the sensors report now; the same until the next action or reflex.
+    fn sense(&self) -> Percept;
+
+    /// Does one primitive action, given by its index in [`actions`](Self::actions), to its end.
+    fn act(&mut self, action: usize);
+
+    /// If a built-in reflex fires on the present percept, runs it; whether one did.
+    ///
+    /// Reflexes do not count as actions.
+    fn reflex(&mut self) -> bool;
+
+    /// Specimens (or other rewards) obtained so far.
+    fn captures(&self) -> u32;
+
+    /// Whether nothing is left to do: the world has ended.
+    fn finished(&self) -> bool;
+}
