@@ -6,6 +6,8 @@
 
 use core::fmt;
 
+use crate::som::Ones;
+
 /// The index of an item: primitive items first, synthetic items after them.
 ///
 /// ```
@@ -159,11 +161,7 @@ impl<const WORDS: usize> ItemSet<WORDS> {
     /// The items in ascending order.
     #[must_use]
     pub const fn iter(&self) -> Items<'_> {
-        Items {
-            words: &self.0,
-            next: 0,
-            rest: 0,
-        }
+        Items(Ones::of(&self.0))
     }
 
     /// The words of the set, item 0 in the lowest bit of the first.
@@ -195,25 +193,13 @@ impl<const WORDS: usize> Default for ItemSet<WORDS> {
 /// assert_eq!(ids, [0, 1, 2]);
 /// ```
 #[derive(Clone, Debug)]
-pub struct Items<'a> {
-    words: &'a [u32],
-    next: u16,
-    rest: u32,
-}
+pub struct Items<'a>(Ones<'a>);
 
 impl Iterator for Items<'_> {
     type Item = ItemId;
 
     fn next(&mut self) -> Option<ItemId> {
-        while self.rest == 0 {
-            let (&word, others) = self.words.split_first()?;
-            self.words = others;
-            self.rest = word;
-            self.next += 32;
-        }
-        let bit = self.rest.trailing_zeros() as u16;
-        self.rest &= self.rest - 1;
-        Some(ItemId(self.next - 32 + bit))
+        self.0.next().map(ItemId)
     }
 }
 

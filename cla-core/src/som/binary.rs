@@ -1,0 +1,468 @@
+//! The map for binary stimuli: work proportional to the features that are on (book, 5.3.1).
+//!
+//! A stimulus with k features on costs O(nodes · k) instead of O(nodes · features):
+//! d² = |m|² − 2·Σ m_j + k over the features j that are on, with |m|² kept for every node and the
+//! decay of a whole prototype kept as one factor (m = s·v).
+//! Weights lie feature by feature, so a feature that is on is one contiguous column.
+//! Unknown features count neither in the search nor in the update.
+//! [`DenseSom`](super::DenseSom) is the oracle: both agree to about four digits, not to the bit.
+
+use super::grid::{Grid, NodeId};
+use super::stimulus::SparseStimulus;
+use crate::num::{Neighbourhood, Rng};
+
+/// A prototype's factor is folded into its weights when it falls below this: far above the point
+/// where dividing by it loses digits, and rare enough to cost little.
+const SMALLEST_SCALE: f32 = 1.0 / 1024.0;
+
+/// A self-organizing map of `WIDTH` × `HEIGHT` prototypes over `FEATURES` binary features.
+///
+/// ```
+/// use cla_core::num::{Neighbourhood, Rng};
+/// use cla_core::som::{BinarySom, Grid, SparseStimulus, best_match};
+///
+/// let mut som = BinarySom::<4, 4, 8>::new();
+/// som.randomize(&mut Rng::new(1));
+/// let stimulus = SparseStimulus { on: &[0b0100_0010], minus: &[], unknown: &[] };
+/// let mut scratch = Grid::filled(0.0);
+/// let mut distances = Grid::filled(0.0);
+/// som.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
+/// let winner = best_match(&distances).node;
+/// som.train(&stimulus, winner, 1.0, &Neighbourhood::winner_only(), |_| true);
+/// assert_eq!((som.weight(winner, 1), som.weight(winner, 2)), (1.0, 0.0));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct BinarySom<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> {
+    /// v, feature by feature; a weight is `scale · v`.
+    columns: [Grid<f32, WIDTH, HEIGHT>; FEATURES],
+    /// s of each node.
+    scale: Grid<f32, WIDTH, HEIGHT>,
+    /// |m|² of each node.
+    squared_norm: Grid<f32, WIDTH, HEIGHT>,
+}
+
+impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
+    BinarySom<WIDTH, HEIGHT, FEATURES>
+{
+    /// A map of all-zero memory, so that a static one costs no flash.
+    ///
+    /// Call [`randomize`](Self::randomize) before training.
+    #[must_use]
+    pub const fn new() -> Self {
+        const {
+            assert!(
+                FEATURES > 0 && FEATURES <= u16::MAX as usize,
+                "a map has 1 to 65,535 features"
+            );
+        }
+        Self {
+            columns: [const { Grid::filled(0.0) }; FEATURES],
+            scale: Grid::filled(0.0),
+            squared_norm: Grid::filled(0.0),
+        }
+    }
+
+    /// Draws every weight from `[0, 1)`, feature by feature.
+    pub fn randomize(&mut self, rng: &mut Rng) {
+        self.scale.as_mut_slice().fill(1.0);
+        self.squared_norm.as_mut_slice().fill(0.0);
+        for column in &mut self.columns {
+            let norms = self.squared_norm.as_mut_slice().iter_mut();
+            for (weight, norm) in column.as_mut_slice().iter_mut().zip(norms) {
+                *weight = rng.unit();
+                *norm += *weight * *weight;
+            }
+        }
+    }
+
+    /// One weight; 0 for a node or feature outside the map.
+    #[must_use]
+    pub fn weight(&self, node: NodeId, feature: u16) -> f32 {
+        let index = usize::from(node.0);
+        let value = self
+            .columns
+            .get(usize::from(feature))
+            .and_then(|c| c.as_slice().get(index));
+        match (value, self.scale.as_slice().get(index)) {
+            (Some(value), Some(scale)) => scale * value,
+            _ => 0.0,
+        }
+    }
+
+    /// Adds `factor` · ‖x − m‖² (over the known features) of every node to `distances`.
+    ///
+    /// `scratch` is overwritten.
+    /// A squared distance that rounding would make negative counts as 0.
+    /// Features outside the map are left out.
+    pub fn add_squared_distances(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        factor: f32,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+    ) {
+        let dots = scratch.as_mut_slice();
+        dots.fill(0.0);
+        let mut length = 0.0;
+        for column in stimulus
+            .on()
+            .filter_map(|j| self.columns.get(usize::from(j)))
+        {
+            length += 1.0;
+            for (dot, value) in dots.iter_mut().zip(column.as_slice()) {
+                *dot += value;
+            }
+        }
+        for column in stimulus
+            .minus()
+            .filter_map(|j| self.columns.get(usize::from(j)))
+        {
+            length += 1.0;
+            for (dot, value) in dots.iter_mut().zip(column.as_slice()) {
+                *dot -= value;
+            }
+        }
+        let nodes = self
+            .scale
+            .as_slice()
+            .iter()
+            .zip(self.squared_norm.as_slice());
+        for (dot, (scale, norm)) in dots.iter_mut().zip(nodes) {
+            *dot = norm - 2.0 * scale * *dot + length;
+        }
+        for column in stimulus
+            .unknown()
+            .filter_map(|j| self.columns.get(usize::from(j)))
+        {
+            let nodes = self.scale.as_slice().iter().zip(column.as_slice());
+            for (distance, (scale, value)) in dots.iter_mut().zip(nodes) {
+                let weight = scale * value;
+                *distance -= weight * weight;
+            }
+        }
+        for (total, &own) in distances.as_mut_slice().iter_mut().zip(dots.iter()) {
+            *total += factor * if own > 0.0 { own } else { 0.0 };
+        }
+    }
+
+    /// Moves the prototypes around `winner` towards the stimulus: m ← m + α·h·(x − m) on known
+    /// features, for the nodes that `may_move` lets.
+    ///
+    /// `alpha` lies in `[0, 1]`.
+    /// A winner outside the map changes nothing.
+    pub fn train(
+        &mut self,
+        stimulus: &SparseStimulus<'_>,
+        winner: NodeId,
+        alpha: f32,
+        neighbourhood: &Neighbourhood<WIDTH, HEIGHT>,
+        may_move: impl Fn(NodeId) -> bool,
+    ) {
+        if usize::from(winner.0) >= Grid::<f32, WIDTH, HEIGHT>::NODES {
+            return;
+        }
+        let (column, row) = self.scale.position(winner);
+        let top = row.saturating_sub(neighbourhood.vertical_radius());
+        let left = column.saturating_sub(neighbourhood.horizontal_radius());
+        let bottom = (row + neighbourhood.vertical_radius()).min(HEIGHT - 1);
+        let right = (column + neighbourhood.horizontal_radius()).min(WIDTH - 1);
+        for y in top..=bottom {
+            for x in left..=right {
+                let node = NodeId((y * WIDTH + x) as u16);
+                if may_move(node) {
+                    let near = neighbourhood.weight(x.abs_diff(column), y.abs_diff(row));
+                    self.step(stimulus, node, alpha * near);
+                }
+            }
+        }
+    }
+
+    /// Makes a node's prototype the stimulus itself; unknown features keep their weights.
+    pub fn imprint(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId) {
+        self.step(stimulus, node, 1.0);
+    }
+
+    /// m ← (1 − c)·m + c·x on the known features of one node.
+    fn step(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId, c: f32) {
+        let index = usize::from(node.0);
+        let keep = 1.0 - c;
+        let Some(scale) = self.scale.as_mut_slice().get_mut(index) else {
+            return;
+        };
+        let before = *scale;
+        let after = before * keep;
+        if after < SMALLEST_SCALE {
+            self.fold(stimulus, index, keep);
+            self.add(stimulus, index, c);
+            self.recompute_norm(index);
+            return;
+        }
+        *scale = after;
+        // (1 − c)²·|m|² + 2c(1 − c)·m·x + c²·|x|² over the known features; the unknown keep theirs.
+        let mut unknown_norm = 0.0;
+        for j in stimulus.unknown() {
+            if let Some(value) = value_mut(&mut self.columns, j, index) {
+                let weight = before * *value;
+                unknown_norm += weight * weight;
+                *value = weight / after;
+            }
+        }
+        let (dot, length) = self.add(stimulus, index, c / after);
+        if let Some(norm) = self.squared_norm.as_mut_slice().get_mut(index) {
+            let known = *norm - unknown_norm;
+            *norm =
+                keep * keep * known + 2.0 * c * keep * before * dot + c * c * length + unknown_norm;
+        }
+    }
+
+    /// Adds `amount` times the stimulus to v; returns Σ v_j·x_j before that, and |x|².
+    fn add(&mut self, stimulus: &SparseStimulus<'_>, index: usize, amount: f32) -> (f32, f32) {
+        let mut dot = 0.0;
+        let mut length = 0.0;
+        for j in stimulus.on() {
+            if let Some(value) = value_mut(&mut self.columns, j, index) {
+                dot += *value;
+                length += 1.0;
+                *value += amount;
+            }
+        }
+        for j in stimulus.minus() {
+            if let Some(value) = value_mut(&mut self.columns, j, index) {
+                dot -= *value;
+                length += 1.0;
+                *value -= amount;
+            }
+        }
+        (dot, length)
+    }
+
+    /// Makes the node's factor 1, with the known weights times `keep`.
+    fn fold(&mut self, stimulus: &SparseStimulus<'_>, index: usize, keep: f32) {
+        let Some(scale) = self.scale.as_mut_slice().get_mut(index) else {
+            return;
+        };
+        let before = *scale;
+        *scale = 1.0;
+        for (j, column) in self.columns.iter_mut().enumerate() {
+            if let Some(value) = column.as_mut_slice().get_mut(index) {
+                let unknown = stimulus.is_unknown(j as u16);
+                *value *= if unknown { before } else { before * keep };
+            }
+        }
+    }
+
+    fn recompute_norm(&mut self, index: usize) {
+        let mut total = 0.0;
+        for value in self
+            .columns
+            .iter()
+            .filter_map(|column| column.as_slice().get(index))
+        {
+            total += value * value;
+        }
+        if let Some(norm) = self.squared_norm.as_mut_slice().get_mut(index) {
+            *norm = total;
+        }
+    }
+}
+
+impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Default
+    for BinarySom<WIDTH, HEIGHT, FEATURES>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+fn value_mut<const WIDTH: usize, const HEIGHT: usize>(
+    columns: &mut [Grid<f32, WIDTH, HEIGHT>],
+    feature: u16,
+    index: usize,
+) -> Option<&mut f32> {
+    columns
+        .get_mut(usize::from(feature))
+        .and_then(|column| column.as_mut_slice().get_mut(index))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BinarySom;
+    use crate::num::{Neighbourhood, Rng, Schedule};
+    use crate::som::{DenseSom, Grid, NodeId, SparseStimulus, best_match};
+
+    type Sparse = BinarySom<7, 5, 40>;
+    type Dense = DenseSom<7, 5, 40>;
+
+    /// The two maps with the same weights.
+    fn twins(seed: u64) -> (Sparse, Dense) {
+        let mut sparse = Sparse::new();
+        sparse.randomize(&mut Rng::new(seed));
+        let mut dense = Dense::new();
+        for (node, prototype) in dense.prototypes_mut().as_mut_slice().iter_mut().enumerate() {
+            for (feature, weight) in prototype.iter_mut().enumerate() {
+                *weight = sparse.weight(NodeId(node as u16), feature as u16);
+            }
+        }
+        (sparse, dense)
+    }
+
+    fn words(rng: &mut Rng, p: f32) -> [u32; 2] {
+        let mut words = [0_u32; 2];
+        for feature in 0..40 {
+            if rng.chance(p) {
+                words[feature / 32] |= 1 << (feature % 32);
+            }
+        }
+        words
+    }
+
+    fn largest_difference(sparse: &Sparse, dense: &Dense) -> f32 {
+        let mut largest = 0.0_f32;
+        for (node, prototype) in dense.prototypes().as_slice().iter().enumerate() {
+            for (feature, weight) in prototype.iter().enumerate() {
+                let ours = sparse.weight(NodeId(node as u16), feature as u16);
+                largest = largest.max((ours - weight).abs());
+            }
+        }
+        largest
+    }
+
+    #[test]
+    fn ten_thousand_steps_agree_with_the_dense_oracle() {
+        let (mut sparse, mut dense) = twins(11);
+        let mut rng = Rng::new(12);
+        let sigma = Schedule::linear(3.0, 0.0, 10_000).unwrap();
+        let alpha = Schedule::linear(0.3, 0.01, 10_000).unwrap();
+        let (mut scratch, mut distances) = (Grid::filled(0.0), Grid::filled(0.0));
+        let mut same_winner = 0;
+        for t in 0..10_000 {
+            let on = words(&mut rng, 0.2);
+            let minus_words = words(&mut rng, 0.1);
+            let minus = [minus_words[0] & !on[0], minus_words[1] & !on[1]];
+            let stimulus = SparseStimulus {
+                on: &on,
+                minus: &minus,
+                unknown: &[],
+            };
+            let mut x = [0.0; 40];
+            for (feature, value) in x.iter_mut().enumerate() {
+                let bit = |words: &[u32; 2]| (words[feature / 32] >> (feature % 32) & 1) as f32;
+                *value = bit(&on) - bit(&minus);
+            }
+            distances.as_mut_slice().fill(0.0);
+            sparse.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
+            let ours = best_match(&distances);
+            let theirs = dense.best_matching_unit(&x).unwrap();
+            assert!(
+                (ours.squared_distance - theirs.squared_distance).abs() < 2e-3,
+                "step {t}"
+            );
+            same_winner += u32::from(ours.node == theirs.node);
+            // Both follow the oracle's winner: a near tie must not part the maps.
+            let near = Neighbourhood::gaussian(sigma.at(t), 0.01).unwrap();
+            sparse.train(&stimulus, theirs.node, alpha.at(t), &near, |_| true);
+            dense.train(&x, theirs.node, alpha.at(t), &near);
+        }
+        assert!(same_winner >= 9_990, "{same_winner}");
+        let difference = largest_difference(&sparse, &dense);
+        assert!(difference < 1e-4, "{difference}");
+    }
+
+    #[test]
+    fn unknown_features_count_neither_in_the_search_nor_in_the_update() {
+        let (mut sparse, dense) = twins(5);
+        let mut rng = Rng::new(6);
+        let (mut scratch, mut distances) = (Grid::filled(0.0), Grid::filled(0.0));
+        for t in 0..300 {
+            let unknown = [0xFF00_u32, 0b1111];
+            let on = words(&mut rng, 0.3);
+            let on = [on[0] & !unknown[0], on[1] & !unknown[1]];
+            let stimulus = SparseStimulus {
+                on: &on,
+                minus: &[],
+                unknown: &unknown,
+            };
+            distances.as_mut_slice().fill(0.0);
+            sparse.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
+            for (node, &ours) in distances.as_slice().iter().enumerate() {
+                let mut exact = 0.0;
+                for feature in (0..40_u16).filter(|&j| !stimulus.is_unknown(j)) {
+                    let x = (on[usize::from(feature) / 32] >> (feature % 32) & 1) as f32;
+                    let difference = x - sparse.weight(NodeId(node as u16), feature);
+                    exact += difference * difference;
+                }
+                assert!(
+                    (ours - exact).abs() < 1e-3,
+                    "step {t} node {node}: {ours} {exact}"
+                );
+            }
+            let winner = best_match(&distances).node;
+            let near = Neighbourhood::gaussian(1.5, 0.01).unwrap();
+            sparse.train(&stimulus, winner, 0.4, &near, |_| true);
+        }
+        for (node, prototype) in dense.prototypes().as_slice().iter().enumerate() {
+            for feature in (8..16).chain(32..36) {
+                let now = sparse.weight(NodeId(node as u16), feature as u16);
+                assert!(
+                    (now - prototype[feature]).abs() < 1e-4,
+                    "an unknown weight moved"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn an_imprinted_node_is_the_stimulus_to_the_bit() {
+        let (mut sparse, _) = twins(9);
+        let stimulus = SparseStimulus {
+            on: &[0b1010],
+            minus: &[0b0100],
+            unknown: &[0b1],
+        };
+        let kept = sparse.weight(NodeId(17), 0);
+        sparse.imprint(&stimulus, NodeId(17));
+        let read: [f32; 5] = core::array::from_fn(|j| sparse.weight(NodeId(17), j as u16));
+        assert_eq!(read, [kept, 1.0, -1.0, 1.0, 0.0]);
+        let (mut scratch, mut distances) = (Grid::filled(0.0), Grid::filled(0.0));
+        sparse.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
+        assert!(distances.as_slice()[17] < 1e-6);
+    }
+
+    #[test]
+    fn nodes_that_may_not_move_stay() {
+        let (mut sparse, dense) = twins(2);
+        let stimulus = SparseStimulus {
+            on: &[0b11],
+            minus: &[],
+            unknown: &[],
+        };
+        let near = Neighbourhood::gaussian(9.0, 0.0).unwrap();
+        sparse.train(&stimulus, NodeId(3), 0.5, &near, |node| node == NodeId(3));
+        for (node, prototype) in dense.prototypes().as_slice().iter().enumerate() {
+            let moved = (sparse.weight(NodeId(node as u16), 0) - prototype[0]).abs() > 1e-6;
+            assert_eq!(moved, node == 3);
+        }
+    }
+
+    #[test]
+    fn features_outside_the_map_are_left_out() {
+        let (mut sparse, _) = twins(4);
+        let before = sparse.clone();
+        let stimulus = SparseStimulus {
+            on: &[0, 0, 1],
+            minus: &[],
+            unknown: &[0, u32::MAX],
+        };
+        let (mut scratch, mut distances) = (Grid::filled(0.0), Grid::filled(0.0));
+        sparse.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
+        sparse.train(
+            &stimulus,
+            NodeId(35),
+            0.5,
+            &Neighbourhood::winner_only(),
+            |_| true,
+        );
+        assert_eq!(sparse, before, "node 35 is outside a map of 35 nodes");
+        assert!(distances.as_slice().iter().all(|d| d.is_finite()));
+    }
+}
