@@ -237,6 +237,15 @@ impl<const WORDS: usize> ItemStates<WORDS> {
         }
     }
 
+    /// What is in `on` is on, what is in `off` and not in `on` is off, all others unknown.
+    #[must_use]
+    pub fn from_sets(on: &ItemSet<WORDS>, off: &ItemSet<WORDS>) -> Self {
+        Self {
+            on: *on,
+            off: off.difference(on),
+        }
+    }
+
     /// Sets an item on (`Some(true)`), off (`Some(false)`) or unknown (`None`).
     ///
     /// # Errors

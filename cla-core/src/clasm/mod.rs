@@ -1,5 +1,37 @@
 //! CLASM: sensorimotor schemas grown from maps, and a controller that uses them (book, 5.3, 6.1–6.2).
+//!
+//! The pipeline, file by file: items (`item`, `signed_items`, `action`, `notation`) → one completed
+//! action (`sample`) → its map (`action_som`) → `harvest` → tables (`schema`, `reliability`,
+//! `knowledge`) → `value` → `choice` → the whole (`config`, `agent`, `brain`).
+//! It stands on `som` and knows nothing of `layer`.
 
+mod action;
+mod action_som;
+mod agent;
+mod brain;
+mod choice;
+mod config;
+mod harvest;
 mod item;
+mod knowledge;
+mod notation;
+mod reliability;
+mod sample;
+mod schema;
+mod signed_items;
+mod value;
 
+pub use action::{ActionId, Vocabulary};
+pub use action_som::{ActionSom, ActionSomBank, Recruitment, Trained, TrainingConfig};
+pub use agent::{Adaptation, Agent, AgentError, Choice, Lesson, Reason, Stage};
+pub use choice::{ChoiceRule, Preference};
+pub use config::{AgentConfig, ConfigError, Escape};
+pub use harvest::{HarvestConfig, HarvestedNode, harvest_node};
 pub use item::{ItemId, ItemOutOfRange, ItemSet, ItemStates, Items};
+pub use knowledge::{KnowledgeBase, Losses, Outcome, TableFull};
+pub use notation::{Detail, NotationError, SchemaText, Written};
+pub use reliability::{Estimate, Reliability};
+pub use sample::{ResultCoding, Sample};
+pub use schema::{PatternId, Schema, SchemaId};
+pub use signed_items::SignedItems;
+pub use value::{Appraisal, InherentValueError, ValueConfig};

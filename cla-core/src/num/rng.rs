@@ -22,6 +22,9 @@ pub struct Rng {
 }
 
 impl Rng {
+    /// All-zero memory in place of a generator that will be seeded: it only ever draws 0.
+    pub(crate) const UNSEEDED: Self = Self { state: [0; 4] };
+
     /// A generator for `seed`; different seeds give unrelated sequences.
     #[must_use]
     pub const fn new(seed: u64) -> Self {

@@ -177,9 +177,24 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         }
     }
 
-    /// Makes a node's prototype the stimulus itself; unknown features keep their weights.
+    /// Makes a node's prototype the stimulus itself; unknown features become ½, neither on nor off.
     pub fn imprint(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId) {
-        self.step(stimulus, node, 1.0);
+        let index = usize::from(node.0);
+        let Some(scale) = self.scale.as_mut_slice().get_mut(index) else {
+            return;
+        };
+        *scale = 1.0;
+        for (j, column) in self.columns.iter_mut().enumerate() {
+            if let Some(value) = column.as_mut_slice().get_mut(index) {
+                *value = if stimulus.is_unknown(j as u16) {
+                    0.5
+                } else {
+                    0.0
+                };
+            }
+        }
+        self.add(stimulus, index, 1.0);
+        self.recompute_norm(index);
     }
 
     /// m ← (1 − c)·m + c·x on the known features of one node.
@@ -419,10 +434,9 @@ mod tests {
             minus: &[0b0100],
             unknown: &[0b1],
         };
-        let kept = sparse.weight(NodeId(17), 0);
         sparse.imprint(&stimulus, NodeId(17));
         let read: [f32; 5] = core::array::from_fn(|j| sparse.weight(NodeId(17), j as u16));
-        assert_eq!(read, [kept, 1.0, -1.0, 1.0, 0.0]);
+        assert_eq!(read, [0.5, 1.0, -1.0, 1.0, 0.0]);
         let (mut scratch, mut distances) = (Grid::filled(0.0), Grid::filled(0.0));
         sparse.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
         assert!(distances.as_slice()[17] < 1e-6);

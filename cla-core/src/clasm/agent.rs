@@ -1,0 +1,416 @@
+//! A whole brain: senses, chooses, learns (book, 6.2).
+//!
+//! One control step is [`choose`](Agent::choose), the action, [`learn`](Agent::learn).
+//! Maps are trained on completed actions and harvested from time to time; the knowledge base that
+//! results chooses.
+//! All memory is inside the value, all of it zero at first: a static agent costs no flash.
+
+use core::fmt;
+
+use super::action::ActionId;
+use super::action_som::{ActionSomBank, Trained};
+use super::choice::{ChoiceRule, Preference};
+use super::config::{AgentConfig, ConfigError};
+use super::item::ItemStates;
+use super::knowledge::{KnowledgeBase, Outcome};
+use super::sample::Sample;
+use super::schema::SchemaId;
+use crate::num::Rng;
+
+/// What an agent is doing with its life.
+///
+/// ```
+/// use cla_core::clasm::{Adaptation, Stage};
+/// assert_ne!(Stage::Training, Stage::Acting(Adaptation::Frozen));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Not begun: it can neither choose nor learn.
+    Unborn,
+    /// Mostly random actions; maps, schemas, reliabilities and values all learn (6.2.3).
+    Training,
+    /// Chooses by value.
+    Acting(Adaptation),
+}
+
+/// What goes on learning while an agent acts (book, 6.3 and 7.1.1).
+///
+/// ```
+/// use cla_core::clasm::Adaptation;
+/// assert_ne!(Adaptation::Frozen, Adaptation::Reliabilities);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Adaptation {
+    /// Nothing.
+    Frozen,
+    /// Reliabilities and the values that follow from them: the book's recovery (6.3).
+    Reliabilities,
+    /// Maps and schemas too (7.1.1).
+    Relearning,
+}
+
+/// Why an action was chosen.
+///
+/// ```
+/// use cla_core::clasm::Reason;
+/// assert_ne!(Reason::Value, Reason::Exploration);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// It is the best by the rule.
+    Value,
+    /// Training asked for a random action.
+    Exploration,
+    /// No schema that promises anything applies: random.
+    NothingApplies,
+    /// Too long without reward: random.
+    Escape,
+}
+
+/// A chosen action.
+///
+/// ```
+/// use cla_core::clasm::{ActionId, Choice, Reason};
+/// let it = Choice { action: ActionId(0), reason: Reason::Escape, schema: None, value: 0.0 };
+/// assert_eq!(it.schema, None);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// What to do.
+    pub action: ActionId,
+    /// Why.
+    pub reason: Reason,
+    /// The schema that speaks for it most, when the choice was by value.
+    pub schema: Option<SchemaId>,
+    /// The value that decided; 0 for a random action.
+    pub value: f32,
+}
+
+/// What one completed action taught.
+///
+/// ```
+/// let it = cla_core::clasm::Lesson::default();
+/// assert_eq!(it.reward, 0.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lesson {
+    /// Inherent value of what is on now.
+    pub reward: f32,
+    /// How the predictions fared.
+    pub outcome: Outcome,
+    /// What the action's map did; `None` when maps are at rest.
+    pub trained: Option<Trained>,
+    /// Whether the maps were harvested.
+    pub harvested: bool,
+}
+
+/// A call out of turn; nothing has changed.
+///
+/// ```
+/// use cla_core::clasm::AgentError;
+/// assert_eq!(AgentError::NotBegun.to_string(), "the agent has not begun: call begin first");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AgentError {
+    /// [`Agent::begin`] was not called.
+    NotBegun,
+    /// [`Agent::learn`] without a [`Agent::choose`] before it.
+    NothingChosen,
+    /// The action is not one of the robot's.
+    NoSuchAction(ActionId),
+}
+
+impl fmt::Display for AgentError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotBegun => f.write_str("the agent has not begun: call begin first"),
+            Self::NothingChosen => f.write_str("no action is waiting for its result"),
+            Self::NoSuchAction(action) => write!(f, "the robot has no action {}", action.0),
+        }
+    }
+}
+
+impl core::error::Error for AgentError {}
+
+/// A learning controller in fixed memory; [`brain!`](crate::brain) names its seven capacities.
+///
+/// Items in words and in number, the sides of the maps, actions, and the capacities of the
+/// knowledge base.
+///
+/// ```
+/// use cla_core::clasm::{Agent, AgentConfig, ItemStates};
+/// let mut agent = Box::new(Agent::<1, 7, 8, 8, 6, 64, 256>::new());
+/// agent.begin(AgentConfig::FORAGER, 1)?;
+/// let now = ItemStates::all_off(7);
+/// let choice = agent.choose(&now)?;
+/// let lesson = agent.learn(&now)?; // nothing happened
+/// assert!(lesson.trained.is_some());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Agent<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const ACTIONS: usize,
+    const PATTERNS: usize,
+    const SCHEMAS: usize,
+> {
+    bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS>,
+    knowledge: KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+    config: Option<AgentConfig>,
+    rng: Rng,
+    stage: Stage,
+    context: ItemStates<WORDS>,
+    chosen: Option<ActionId>,
+    since_harvest: u32,
+    since_reward: u16,
+    burst: u16,
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const ACTIONS: usize,
+    const PATTERNS: usize,
+    const SCHEMAS: usize,
+> Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS>
+{
+    /// An unborn agent of all-zero memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        const {
+            assert!(ITEMS <= WORDS * 32, "an item needs a bit: 32 for each word");
+            assert!(
+                ACTIONS > 0 && ACTIONS <= 256,
+                "a robot has 1 to 256 actions"
+            );
+        }
+        Self {
+            bank: ActionSomBank::new(),
+            knowledge: KnowledgeBase::new(),
+            config: None,
+            rng: Rng::UNSEEDED,
+            stage: Stage::Unborn,
+            context: ItemStates::UNKNOWN,
+            chosen: None,
+            since_harvest: 0,
+            since_reward: 0,
+            burst: 0,
+        }
+    }
+
+    /// Is born: random maps, no schema, [`Stage::Training`]; inherent values stay.
+    ///
+    /// The same seed and the same percepts give the same life, to the bit, on every target.
+    ///
+    /// # Errors
+    /// [`ConfigError`]; the agent is as it was.
+    pub fn begin(&mut self, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
+        config.check()?;
+        self.config = Some(config);
+        self.rng = Rng::stream(seed, 1);
+        self.bank.randomize(&mut self.rng);
+        self.knowledge.forget_schemas();
+        self.stage = Stage::Training;
+        self.chosen = None;
+        self.since_harvest = 0;
+        self.since_reward = 0;
+        self.burst = 0;
+        Ok(())
+    }
+
+    /// Chooses what to do now and remembers `now` as the context of it.
+    ///
+    /// A choice whose result never came (the action did not complete) is forgotten: nothing is
+    /// learned from it.
+    ///
+    /// # Errors
+    /// [`AgentError::NotBegun`].
+    pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
+        let config = self.config.ok_or(AgentError::NotBegun)?;
+        let explore = match self.stage {
+            Stage::Training => !self.rng.chance(config.greedy_share),
+            Stage::Acting(_) | Stage::Unborn => false,
+        };
+        let choice = if explore {
+            self.random(Reason::Exploration)
+        } else if self.escapes(&config) {
+            self.random(Reason::Escape)
+        } else {
+            match self
+                .knowledge
+                .prefer::<ACTIONS>(now, config.rule, &config.values)
+            {
+                Some(Preference {
+                    action,
+                    schema,
+                    value,
+                }) => Choice {
+                    action,
+                    reason: Reason::Value,
+                    schema,
+                    value,
+                },
+                None => self.random(Reason::NothingApplies),
+            }
+        };
+        self.context = *now;
+        self.chosen = Some(choice.action);
+        Ok(choice)
+    }
+
+    /// Learns from the action that was chosen last, which has led to `now`.
+    ///
+    /// # Errors
+    /// [`AgentError::NotBegun`] or [`AgentError::NothingChosen`].
+    pub fn learn(&mut self, now: &ItemStates<WORDS>) -> Result<Lesson, AgentError> {
+        let action = match (self.config.is_some(), self.chosen.take()) {
+            (false, _) => return Err(AgentError::NotBegun),
+            (true, None) => return Err(AgentError::NothingChosen),
+            (true, Some(action)) => action,
+        };
+        let before = self.context;
+        let lesson = self.observe(&before, action, now)?;
+        self.since_reward = if lesson.reward > 0.0 {
+            0
+        } else {
+            self.since_reward.saturating_add(1)
+        };
+        Ok(lesson)
+    }
+
+    /// Learns from an action that the agent did not choose: a reflex, or a teacher's.
+    ///
+    /// # Errors
+    /// [`AgentError::NotBegun`] or [`AgentError::NoSuchAction`].
+    pub fn observe(
+        &mut self,
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+    ) -> Result<Lesson, AgentError> {
+        let config = self.config.ok_or(AgentError::NotBegun)?;
+        if usize::from(action.0) >= ACTIONS {
+            return Err(AgentError::NoSuchAction(action));
+        }
+        let mut lesson = Lesson {
+            reward: self.knowledge.reward(after),
+            ..Lesson::default()
+        };
+        if self.stage == Stage::Acting(Adaptation::Frozen) {
+            return Ok(lesson);
+        }
+        lesson.outcome = self
+            .knowledge
+            .record(before, action, after, config.forgetting);
+        if self.stage != Stage::Acting(Adaptation::Reliabilities) {
+            let sample = Sample::new(before, after, config.coding, ITEMS as u16);
+            lesson.trained = self.bank.train(action, &sample, &config.training);
+            self.since_harvest += 1;
+            if self.since_harvest >= config.harvest_every {
+                self.harvest();
+                lesson.harvested = true;
+            }
+        }
+        self.knowledge
+            .improve_values::<ACTIONS>(config.values_per_step, &config.values);
+        Ok(lesson)
+    }
+
+    /// Reads the maps into schemas now, and lets the values of items follow.
+    ///
+    /// Happens by itself every `harvest_every` learned actions; does nothing before birth.
+    pub fn harvest(&mut self) {
+        let Some(config) = self.config else { return };
+        self.knowledge
+            .harvest(self.bank.maps(), config.coding, &config.harvest);
+        self.knowledge.defer_values(&config.values);
+        self.since_harvest = 0;
+    }
+
+    /// Ends training: from now on the agent chooses by value and adapts as told.
+    ///
+    /// Harvests a last time and settles the values, so the first action is already the best known.
+    ///
+    /// # Errors
+    /// [`AgentError::NotBegun`].
+    pub fn act(&mut self, adaptation: Adaptation) -> Result<(), AgentError> {
+        let config = self.config.ok_or(AgentError::NotBegun)?;
+        if self.stage == Stage::Training {
+            self.harvest();
+        }
+        if config.rule == ChoiceRule::ExpectedValue {
+            self.knowledge.settle_values::<ACTIONS>(100, &config.values);
+        }
+        self.stage = Stage::Acting(adaptation);
+        self.since_reward = 0;
+        self.burst = 0;
+        Ok(())
+    }
+
+    /// What the agent knows.
+    #[must_use]
+    pub const fn knowledge(&self) -> &KnowledgeBase<WORDS, PATTERNS, SCHEMAS> {
+        &self.knowledge
+    }
+
+    /// What the agent knows, to give inherent values or to insert schemas by hand.
+    pub const fn knowledge_mut(&mut self) -> &mut KnowledgeBase<WORDS, PATTERNS, SCHEMAS> {
+        &mut self.knowledge
+    }
+
+    /// The maps.
+    #[must_use]
+    pub const fn bank(&self) -> &ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS> {
+        &self.bank
+    }
+
+    /// What the agent is doing with its life.
+    #[must_use]
+    pub const fn stage(&self) -> Stage {
+        self.stage
+    }
+
+    fn random(&mut self, reason: Reason) -> Choice {
+        let action = ActionId(self.rng.below(ACTIONS as u32) as u16);
+        Choice {
+            action,
+            reason,
+            schema: None,
+            value: 0.0,
+        }
+    }
+
+    /// Whether this step belongs to a burst of random actions.
+    fn escapes(&mut self, config: &AgentConfig) -> bool {
+        let Some(escape) = config.escape else {
+            return false;
+        };
+        if self.burst == 0 && self.since_reward >= escape.after {
+            self.burst = escape.burst;
+            self.since_reward = 0;
+        }
+        let escapes = self.burst > 0;
+        self.burst = self.burst.saturating_sub(1);
+        escapes
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const ACTIONS: usize,
+    const PATTERNS: usize,
+    const SCHEMAS: usize,
+> Default for Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,214 @@
+//! The choice of an action from the schemas that apply now (book, 6.1.1, 6.2.3).
+
+use super::action::ActionId;
+use super::item::ItemStates;
+use super::knowledge::KnowledgeBase;
+use super::schema::SchemaId;
+use super::value::ValueConfig;
+
+/// By which rule the best action is found.
+///
+/// ```
+/// use cla_core::clasm::ChoiceRule;
+/// assert_ne!(ChoiceRule::Lexicographic, ChoiceRule::ExpectedValue);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChoiceRule {
+    /// The book's: the applicable schema with the most valuable result; of equally valuable ones
+    /// the most reliable, then the first (6.2.3).
+    Lexicographic,
+    /// The action with the largest expected value; ties go to the first.
+    ExpectedValue,
+}
+
+/// The best action by a rule, and why.
+///
+/// ```
+/// use cla_core::clasm::{ActionId, Preference};
+/// let it = Preference { action: ActionId(1), schema: None, value: 9.5 };
+/// assert!(it.value > 9.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Preference {
+    /// What to do.
+    pub action: ActionId,
+    /// The schema that speaks for it most.
+    pub schema: Option<SchemaId>,
+    /// The value that decided.
+    pub value: f32,
+}
+
+impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
+    KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
+{
+    /// The best of `ACTIONS` actions in `state`, or `None` when no schema applies or, by expected
+    /// value, when no action promises anything.
+    pub fn prefer<const ACTIONS: usize>(
+        &mut self,
+        state: &ItemStates<WORDS>,
+        rule: ChoiceRule,
+        config: &ValueConfig,
+    ) -> Option<Preference> {
+        match rule {
+            ChoiceRule::Lexicographic => self.most_valuable::<ACTIONS>(state, config),
+            ChoiceRule::ExpectedValue => self.most_promising::<ACTIONS>(state, config),
+        }
+    }
+
+    fn most_valuable<const ACTIONS: usize>(
+        &mut self,
+        state: &ItemStates<WORDS>,
+        config: &ValueConfig,
+    ) -> Option<Preference> {
+        self.look_at(state);
+        let mut best: Option<(f32, f32, Preference)> = None;
+        for (index, schema) in self.schemas.iter().enumerate() {
+            let context = self.patterns.get(usize::from(schema.context.0));
+            if !context.is_some_and(|pattern| pattern.holds)
+                || usize::from(schema.action.0) >= ACTIONS
+            {
+                continue;
+            }
+            let value = match self.patterns.get(usize::from(schema.result.0)) {
+                Some(result) => self.largest_value(&result.items),
+                None => 0.0,
+            };
+            let reliability = schema.reliability.value(config.estimate);
+            let better = best.as_ref().is_none_or(|&(other, tie, _)| {
+                value > other || (value == other && reliability > tie)
+            });
+            if better {
+                let schema_id = Some(SchemaId(index as u16));
+                let found = Preference {
+                    action: schema.action,
+                    schema: schema_id,
+                    value,
+                };
+                best = Some((value, reliability, found));
+            }
+        }
+        best.map(|(_, _, preference)| preference)
+    }
+
+    fn most_promising<const ACTIONS: usize>(
+        &mut self,
+        state: &ItemStates<WORDS>,
+        config: &ValueConfig,
+    ) -> Option<Preference> {
+        let mut best: Option<Preference> = None;
+        let appraisals = self.expected_values::<ACTIONS>(state, config);
+        for (action, appraisal) in appraisals.iter().enumerate() {
+            let value = appraisal.value;
+            if value > best.map_or(0.0, |other| other.value) {
+                best = Some(Preference {
+                    action: ActionId(action as u16),
+                    schema: None,
+                    value,
+                });
+            }
+        }
+        let mut best = best?;
+        best.schema = self.most_reliable_applicable(best.action, config);
+        Some(best)
+    }
+
+    /// Of the schemas that held at the last look, the most reliable for an action.
+    fn most_reliable_applicable(&self, action: ActionId, config: &ValueConfig) -> Option<SchemaId> {
+        let mut best: Option<(f32, SchemaId)> = None;
+        for (index, schema) in self.schemas.iter().enumerate() {
+            let context = self.patterns.get(usize::from(schema.context.0));
+            if schema.action == action && context.is_some_and(|pattern| pattern.holds) {
+                let reliability = schema.reliability.value(config.estimate);
+                if best.is_none_or(|(other, _)| reliability > other) {
+                    best = Some((reliability, SchemaId(index as u16)));
+                }
+            }
+        }
+        best.map(|(_, schema)| schema)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ActionId, ChoiceRule, KnowledgeBase, ValueConfig};
+    use crate::clasm::{ItemId, ItemStates, SchemaText, Vocabulary};
+
+    const WORDS: Vocabulary = Vocabulary {
+        items: &["here", "gold", "path"],
+        actions: &["leap", "walk"],
+    };
+
+    fn knowledge(schemas: &[(&str, u32, u32)]) -> KnowledgeBase<1, 16, 16> {
+        let mut knowledge = KnowledgeBase::new();
+        knowledge.set_inherent_value(ItemId(1), 10.0).unwrap();
+        for &(text, successes, activations) in schemas {
+            let text = SchemaText::parse(text, &WORDS).unwrap();
+            knowledge.insert(&text, successes, activations).unwrap();
+        }
+        knowledge.defer_values(&ValueConfig::BOOK);
+        knowledge.settle_values::<2>(100, &ValueConfig::BOOK);
+        knowledge
+    }
+
+    fn here() -> ItemStates<1> {
+        let mut now = ItemStates::all_off(3);
+        now.set(ItemId(0), Some(true)).unwrap();
+        now
+    }
+
+    #[test]
+    fn the_book_leaps_at_the_largest_value_and_expectation_walks_the_sure_way() {
+        let mut it = knowledge(&[
+            ("+here/leap/+gold", 1, 10),
+            ("+here/leap/+here", 9, 10),
+            ("+here/walk/+path", 10, 10),
+            ("+path/walk/+gold", 10, 10),
+        ]);
+        let choose = |it: &mut KnowledgeBase<1, 16, 16>, rule| {
+            it.prefer::<2>(&here(), rule, &ValueConfig::BOOK)
+                .unwrap()
+                .action
+        };
+        assert_eq!(choose(&mut it, ChoiceRule::Lexicographic), ActionId(0));
+        assert_eq!(choose(&mut it, ChoiceRule::ExpectedValue), ActionId(1));
+    }
+
+    #[test]
+    fn the_more_reliable_of_two_equally_valuable_schemas_is_chosen() {
+        let mut it = knowledge(&[("+here/leap/+gold", 3, 10), ("+here/walk/+gold", 4, 10)]);
+        let best = it
+            .prefer::<2>(&here(), ChoiceRule::Lexicographic, &ValueConfig::BOOK)
+            .unwrap();
+        assert_eq!((best.action, best.value), (ActionId(1), 10.0));
+    }
+
+    #[test]
+    fn nothing_is_preferred_where_no_schema_applies() {
+        let mut it = knowledge(&[("+path/walk/+gold", 1, 1)]);
+        for rule in [ChoiceRule::Lexicographic, ChoiceRule::ExpectedValue] {
+            assert_eq!(it.prefer::<2>(&here(), rule, &ValueConfig::BOOK), None);
+        }
+    }
+
+    #[test]
+    fn values_fall_by_five_percent_a_link_as_in_table_6_3() {
+        let it = knowledge(&[("+path/walk/+gold", 1, 1), ("+here/walk/+path", 1, 1)]);
+        assert!((it.deferred_value(ItemId(2)) - 9.5).abs() < 1e-5);
+        assert!((it.deferred_value(ItemId(0)) - 9.025).abs() < 1e-5);
+    }
+
+    #[test]
+    fn an_expected_value_is_the_mean_over_alternative_results() {
+        let mut it = knowledge(&[("+here/leap/+gold", 1, 4), ("+here/leap/-here", 3, 4)]);
+        let [leap, walk] = it.expected_values::<2>(&here(), &ValueConfig::BOOK);
+        assert!((leap.value - 2.5).abs() < 1e-5, "{leap:?}");
+        assert!(!walk.applicable);
+    }
+
+    #[test]
+    fn overlapping_contexts_do_not_promise_more_than_certainty() {
+        let mut it = knowledge(&[("+here/leap/+gold", 9, 10), ("+here-gold/leap/+gold", 8, 10)]);
+        let [leap, _] = it.expected_values::<2>(&here(), &ValueConfig::BOOK);
+        assert!((leap.value - 10.0).abs() < 1e-4, "{leap:?}");
+    }
+}

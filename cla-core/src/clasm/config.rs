@@ -1,0 +1,166 @@
+//! Everything about an agent that is a choice, in one place, with the book's values by name.
+
+use core::fmt;
+
+use super::action_som::TrainingConfig;
+use super::choice::ChoiceRule;
+use super::harvest::HarvestConfig;
+use super::sample::ResultCoding;
+use super::value::ValueConfig;
+
+/// How an agent learns and chooses.
+///
+/// ```
+/// use cla_core::clasm::{AgentConfig, ChoiceRule};
+/// let config = AgentConfig { rule: ChoiceRule::Lexicographic, ..AgentConfig::FORAGER };
+/// assert!(config.check().is_ok());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AgentConfig {
+    /// How maps are trained.
+    pub training: TrainingConfig,
+    /// How maps are read.
+    pub harvest: HarvestConfig,
+    /// How results are written into maps.
+    pub coding: ResultCoding,
+    /// Learned actions between two harvests, at least 1.
+    pub harvest_every: u32,
+    /// How values spread.
+    pub values: ValueConfig,
+    /// Patterns whose expected value is brought up to date at every step.
+    pub values_per_step: u16,
+    /// By which rule an action is chosen.
+    pub rule: ChoiceRule,
+    /// The least weight of a new trial in a recent reliability, in `[0, 1]`; 0 never forgets.
+    pub forgetting: f32,
+    /// In training, the share of actions chosen by value; the others are random (book: .2, 6.2.3).
+    pub greedy_share: f32,
+    /// A way out of loops; without it a robot may shuttle forever.
+    pub escape: Option<Escape>,
+}
+
+/// Random actions after a long time without reward.
+///
+/// The same coarse percept can hide different places, and a deterministic choice repeats itself.
+///
+/// ```
+/// use cla_core::clasm::Escape;
+/// assert_eq!(Escape { after: 60, burst: 10 }.burst, 10);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Escape {
+    /// Actions without reward before a burst.
+    pub after: u16,
+    /// Random actions in a burst.
+    pub burst: u16,
+}
+
+/// A configuration that cannot work.
+///
+/// ```
+/// use cla_core::clasm::{AgentConfig, ConfigError};
+/// let config = AgentConfig { greedy_share: 1.5, ..AgentConfig::FORAGER };
+/// assert_eq!(config.check(), Err(ConfigError::GreedyShare));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConfigError {
+    /// `greedy_share` is outside `[0, 1]` or NaN.
+    GreedyShare,
+    /// `forgetting` is outside `[0, 1]` or NaN.
+    Forgetting,
+    /// `values.discount` is outside `[0, 1)` or NaN.
+    Discount,
+    /// A harvest threshold is outside `[0, 1]` or NaN, or `off` is not below `on`.
+    Thresholds,
+    /// `harvest_every` is 0.
+    HarvestEvery,
+    /// The learning rate starts above 1.
+    Alpha,
+    /// The neighbourhood cut is outside `[0, 1]`, or a weight or vigilance is negative, or NaN.
+    Training,
+}
+
+impl fmt::Display for ConfigError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::GreedyShare => "the greedy share must lie between 0 and 1",
+            Self::Forgetting => "forgetting must lie between 0 and 1",
+            Self::Discount => "the discount must lie between 0 and 1, 1 excluded",
+            Self::Thresholds => "harvest thresholds must satisfy 0 <= off < on <= 1",
+            Self::HarvestEvery => "a harvest needs at least one action before it",
+            Self::Alpha => "the learning rate must not exceed 1",
+            Self::Training => "cut, result weight and vigilance must be finite and in range",
+        })
+    }
+}
+
+impl core::error::Error for ConfigError {}
+
+impl AgentConfig {
+    /// The book's forager: straight schedules, thresholds .1 and .9 on every node, the
+    /// lexicographic rule over plain reliabilities (6.2).
+    pub const BOOK: Self = Self {
+        training: TrainingConfig::BOOK,
+        harvest: HarvestConfig::BOOK,
+        coding: ResultCoding::EndState,
+        harvest_every: 250,
+        values: ValueConfig::BOOK,
+        values_per_step: 0,
+        rule: ChoiceRule::Lexicographic,
+        forgetting: 0.0,
+        greedy_share: 0.2,
+        escape: None,
+    };
+
+    /// What works best on the simulated Pioneer: rare events recruited, expected value, escape.
+    pub const FORAGER: Self = Self {
+        training: TrainingConfig::FORAGER,
+        harvest: HarvestConfig::FORAGER,
+        values_per_step: 4,
+        rule: ChoiceRule::ExpectedValue,
+        escape: Some(Escape {
+            after: 60,
+            burst: 10,
+        }),
+        ..Self::BOOK
+    };
+
+    /// Whether the values make sense together.
+    ///
+    /// # Errors
+    /// The first [`ConfigError`] found.
+    pub fn check(&self) -> Result<(), ConfigError> {
+        let share = |x: f32| (0.0..=1.0).contains(&x);
+        if !share(self.greedy_share) {
+            return Err(ConfigError::GreedyShare);
+        }
+        if !share(self.forgetting) {
+            return Err(ConfigError::Forgetting);
+        }
+        if !(0.0..1.0).contains(&self.values.discount) {
+            return Err(ConfigError::Discount);
+        }
+        let HarvestConfig { on, off, .. } = self.harvest;
+        if !share(on) || !share(off) || off >= on {
+            return Err(ConfigError::Thresholds);
+        }
+        if self.harvest_every == 0 {
+            return Err(ConfigError::HarvestEvery);
+        }
+        if !share(self.training.alpha.at(0)) || !share(self.training.alpha.at(u32::MAX)) {
+            return Err(ConfigError::Alpha);
+        }
+        let TrainingConfig {
+            cut,
+            result_weight,
+            recruitment,
+            ..
+        } = self.training;
+        let vigilance = recruitment.map_or(0.0, |it| it.vigilance);
+        let positive = |x: f32| x.is_finite() && x >= 0.0;
+        if !share(cut) || !positive(result_weight) || !positive(vigilance) {
+            return Err(ConfigError::Training);
+        }
+        Ok(())
+    }
+}

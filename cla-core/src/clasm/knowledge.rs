@@ -1,0 +1,418 @@
+//! The knowledge base: every schema, in tables of fixed size (book, 5.3.1, 6.2.4).
+//!
+//! Filled by harvest, corrected by experience, read by the choice of actions.
+//! It is all that a robot needs to act; maps are needed only to learn new schemas.
+
+use super::action::ActionId;
+use super::action_som::ActionSom;
+use super::harvest::{HarvestConfig, HarvestedNode, harvest_node};
+use super::item::ItemStates;
+use super::notation::SchemaText;
+use super::reliability::{Estimate, Reliability};
+use super::sample::ResultCoding;
+use super::schema::{PatternId, Schema, SchemaId};
+use super::signed_items::SignedItems;
+
+/// A conjunction that stands in schemas, with what being there is worth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pattern<const WORDS: usize> {
+    pub(super) items: SignedItems<WORDS>,
+    /// Expected discounted value of acting well from here (see `value`).
+    pub(super) value: f32,
+    /// Whether it held in the state that was looked at last.
+    pub(super) holds: bool,
+}
+
+/// What did not fit, counted since birth.
+///
+/// ```
+/// use cla_core::clasm::KnowledgeBase;
+/// assert_eq!(KnowledgeBase::<1, 8, 8>::new().losses().refused_schemas, 0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Losses {
+    /// Schemas with the fewest successes that made room for better supported ones.
+    pub evicted_schemas: u32,
+    /// New schemas that found the table full of better supported ones.
+    pub refused_schemas: u32,
+    /// New schemas whose context or result found no room in the pattern table.
+    pub refused_patterns: u32,
+}
+
+/// What experience said about the predictions for one completed action.
+///
+/// ```
+/// assert!(!cla_core::clasm::Outcome::default().foreseen());
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Outcome {
+    /// Schemas that were applicable and whose result could be checked.
+    pub activated: u16,
+    /// Those whose result came.
+    pub succeeded: u16,
+}
+
+impl Outcome {
+    /// Whether some schema had foreseen the result.
+    #[must_use]
+    pub const fn foreseen(&self) -> bool {
+        self.succeeded > 0
+    }
+}
+
+/// Schemas and the conjunctions they are made of, in fixed memory.
+///
+/// `PATTERNS` bounds the distinct contexts and results, `SCHEMAS` the schemas; both at most 65,535.
+///
+/// ```
+/// use cla_core::clasm::{ActionId, KnowledgeBase, Vocabulary, SchemaText};
+/// let words = Vocabulary { items: &["s3", "ingrip"], actions: &["forward"] };
+/// let mut knowledge = KnowledgeBase::<1, 16, 16>::new();
+/// let schema = SchemaText::parse("+s3/forward/+ingrip", &words)?;
+/// knowledge.insert(&schema, 3, 10).unwrap();
+/// assert_eq!(knowledge.schemas().len(), 1);
+/// assert_eq!(knowledge.schemas()[0].reliability.activations(), 10);
+/// # Ok::<(), cla_core::clasm::NotationError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnowledgeBase<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize> {
+    pub(super) patterns: heapless::Vec<Pattern<WORDS>, PATTERNS, u16>,
+    pub(super) schemas: heapless::Vec<Schema, SCHEMAS, u16>,
+    pub(super) inherent: [[f32; 32]; WORDS],
+    pub(super) deferred: [[f32; 32]; WORDS],
+    /// The pattern whose value is computed next.
+    pub(super) next_value: u16,
+    losses: Losses,
+}
+
+/// A schema was not stored: the table is full of better supported ones (counted in [`Losses`]).
+///
+/// ```
+/// assert_eq!(cla_core::clasm::TableFull.to_string(), "the schema tables are full");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TableFull;
+
+impl core::fmt::Display for TableFull {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("the schema tables are full")
+    }
+}
+
+impl core::error::Error for TableFull {}
+
+impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
+    KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
+{
+    /// A knowledge base that knows nothing.
+    #[must_use]
+    pub const fn new() -> Self {
+        const {
+            assert!(
+                PATTERNS > 0 && PATTERNS < u16::MAX as usize,
+                "1 to 65,534 patterns"
+            );
+            assert!(
+                SCHEMAS > 0 && SCHEMAS < u16::MAX as usize,
+                "1 to 65,534 schemas"
+            );
+        }
+        Self {
+            patterns: heapless::Vec::new(),
+            schemas: heapless::Vec::new(),
+            inherent: [[0.0; 32]; WORDS],
+            deferred: [[0.0; 32]; WORDS],
+            next_value: 0,
+            losses: Losses {
+                evicted_schemas: 0,
+                refused_schemas: 0,
+                refused_patterns: 0,
+            },
+        }
+    }
+
+    /// The schemas; a [`SchemaId`] is an index here.
+    #[must_use]
+    pub fn schemas(&self) -> &[Schema] {
+        &self.schemas
+    }
+
+    /// The number of distinct contexts and results.
+    #[must_use]
+    pub fn patterns(&self) -> u16 {
+        self.patterns.len() as u16
+    }
+
+    /// What did not fit so far.
+    #[must_use]
+    pub const fn losses(&self) -> Losses {
+        self.losses
+    }
+
+    /// A schema spelled out; `None` for an id that is not in the table.
+    #[must_use]
+    pub fn text(&self, schema: SchemaId) -> Option<SchemaText<WORDS>> {
+        let schema = self.schemas.get(usize::from(schema.0))?;
+        Some(SchemaText {
+            context: self.pattern(schema.context)?,
+            action: schema.action,
+            result: self.pattern(schema.result)?,
+        })
+    }
+
+    /// A conjunction; `None` for an id that is not in the table.
+    #[must_use]
+    pub fn pattern(&self, id: PatternId) -> Option<SignedItems<WORDS>> {
+        self.patterns
+            .get(usize::from(id.0))
+            .map(|pattern| pattern.items)
+    }
+
+    /// Forgets all schemas and deferred values; inherent values and counted losses stay.
+    pub fn forget_schemas(&mut self) {
+        self.schemas.clear();
+        self.patterns.clear();
+        self.deferred = [[0.0; 32]; WORDS];
+        self.next_value = 0;
+    }
+
+    /// Stores a schema with a record of trials, or adds support to the one that says the same.
+    ///
+    /// A full table makes room by evicting the schema with the fewest successes, if it has fewer
+    /// than the newcomer.
+    ///
+    /// # Errors
+    /// [`TableFull`] when there is no room; nothing but the count of losses has changed.
+    pub fn insert(
+        &mut self,
+        text: &SchemaText<WORDS>,
+        successes: u32,
+        activations: u32,
+    ) -> Result<SchemaId, TableFull> {
+        let support = u16::try_from(successes).unwrap_or(u16::MAX).max(1);
+        let id = self.support(&text.context, text.action, &text.result, support)?;
+        if let Some(schema) = self.schemas.get_mut(usize::from(id.0)) {
+            schema.reliability = Reliability::from_counts(successes, activations);
+        }
+        Ok(id)
+    }
+
+    /// Replaces the schemas by what the maps say now; those that were known keep their trials.
+    ///
+    /// Reads every node of every map once.
+    /// A new schema starts from the wins of its nodes among those of its context and action.
+    /// Schemas that no node says any more leave.
+    pub fn harvest<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize>(
+        &mut self,
+        maps: &[ActionSom<WIDTH, HEIGHT, ITEMS>],
+        coding: ResultCoding,
+        config: &HarvestConfig,
+    ) {
+        for schema in &mut self.schemas {
+            schema.support = 0;
+        }
+        for (action, map) in maps.iter().enumerate() {
+            let action = ActionId(action as u16);
+            for node in map.nodes() {
+                let Some(node) = harvest_node(map, node, coding, config) else {
+                    continue;
+                };
+                let HarvestedNode {
+                    context,
+                    result,
+                    wins,
+                } = node;
+                // A refusal is counted; the other nodes may still find their schemas.
+                let _ = self.support(&context, action, &result, wins.max(1));
+            }
+        }
+        self.schemas.retain(|schema| schema.support > 0);
+        self.drop_unused_patterns();
+        self.start_new_records();
+    }
+
+    /// Corrects the reliability of every applicable schema of an action that was completed.
+    ///
+    /// A schema whose result hangs on an unknown item is not counted.
+    pub fn record(
+        &mut self,
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+        forgetting: f32,
+    ) -> Outcome {
+        self.look_at(before);
+        let mut outcome = Outcome::default();
+        let Self {
+            patterns, schemas, ..
+        } = self;
+        for schema in schemas.iter_mut().filter(|schema| schema.action == action) {
+            let held = |id: PatternId| patterns.get(usize::from(id.0));
+            if !held(schema.context).is_some_and(|pattern| pattern.holds) {
+                continue;
+            }
+            let truth = held(schema.result).and_then(|pattern| pattern.items.truth(after));
+            if let Some(success) = truth {
+                schema.reliability.record(success, forgetting);
+                outcome.activated = outcome.activated.saturating_add(1);
+                outcome.succeeded = outcome.succeeded.saturating_add(u16::from(success));
+            }
+        }
+        outcome
+    }
+
+    /// Notes for every conjunction whether it holds in `state`.
+    pub(super) fn look_at(&mut self, state: &ItemStates<WORDS>) {
+        for pattern in &mut self.patterns {
+            pattern.holds = pattern.items.truth(state) == Some(true);
+        }
+    }
+
+    /// The mean reliability of the schemas that have been tried; 0 when none has.
+    #[must_use]
+    pub fn mean_reliability(&self, estimate: Estimate) -> f32 {
+        let mut total = 0.0;
+        let mut count = 0_u32;
+        for schema in self
+            .schemas
+            .iter()
+            .filter(|schema| schema.reliability.activations() > 0)
+        {
+            total += schema.reliability.value(estimate);
+            count += 1;
+        }
+        if count == 0 {
+            0.0
+        } else {
+            total / count as f32
+        }
+    }
+
+    fn support(
+        &mut self,
+        context: &SignedItems<WORDS>,
+        action: ActionId,
+        result: &SignedItems<WORDS>,
+        wins: u16,
+    ) -> Result<SchemaId, TableFull> {
+        let context = self.intern(context)?;
+        let result = self.intern(result)?;
+        let same = |schema: &Schema| {
+            schema.context == context && schema.action == action && schema.result == result
+        };
+        if let Some(index) = self.schemas.iter().position(same)
+            && let Some(schema) = self.schemas.get_mut(index)
+        {
+            schema.support = schema.support.saturating_add(wins);
+            return Ok(SchemaId(index as u16));
+        }
+        let reliability = Reliability::default();
+        let new = Schema {
+            context,
+            action,
+            result,
+            support: wins,
+            reliability,
+        };
+        match self.schemas.push(new) {
+            Ok(()) => Ok(SchemaId(self.schemas.len() as u16 - 1)),
+            Err(new) => self.evict_for(new),
+        }
+    }
+
+    fn evict_for(&mut self, new: Schema) -> Result<SchemaId, TableFull> {
+        let evidence = |schema: &Schema| {
+            schema
+                .reliability
+                .successes()
+                .max(u32::from(schema.support))
+        };
+        let mut least = (evidence(&new), None);
+        for (index, schema) in self.schemas.iter().enumerate() {
+            if evidence(schema) < least.0 {
+                least = (evidence(schema), Some(index));
+            }
+        }
+        if let (_, Some(index)) = least
+            && let Some(schema) = self.schemas.get_mut(index)
+        {
+            *schema = new;
+            self.losses.evicted_schemas = self.losses.evicted_schemas.saturating_add(1);
+            return Ok(SchemaId(index as u16));
+        }
+        self.losses.refused_schemas = self.losses.refused_schemas.saturating_add(1);
+        Err(TableFull)
+    }
+
+    fn intern(&mut self, items: &SignedItems<WORDS>) -> Result<PatternId, TableFull> {
+        if let Some(index) = self
+            .patterns
+            .iter()
+            .position(|pattern| pattern.items == *items)
+        {
+            return Ok(PatternId(index as u16));
+        }
+        let new = Pattern {
+            items: *items,
+            value: 0.0,
+            holds: false,
+        };
+        match self.patterns.push(new) {
+            Ok(()) => Ok(PatternId(self.patterns.len() as u16 - 1)),
+            Err(_) => {
+                self.losses.refused_patterns = self.losses.refused_patterns.saturating_add(1);
+                Err(TableFull)
+            }
+        }
+    }
+
+    fn drop_unused_patterns(&mut self) {
+        for index in (0..self.patterns.len()).rev() {
+            let id = PatternId(index as u16);
+            if self
+                .schemas
+                .iter()
+                .any(|schema| schema.context == id || schema.result == id)
+            {
+                continue;
+            }
+            let last = PatternId(self.patterns.len() as u16 - 1);
+            self.patterns.swap_remove(index);
+            for schema in &mut self.schemas {
+                for reference in [&mut schema.context, &mut schema.result] {
+                    if *reference == last {
+                        *reference = id;
+                    }
+                }
+            }
+        }
+    }
+
+    fn start_new_records(&mut self) {
+        for index in 0..self.schemas.len() {
+            let Some(new) = self.schemas.get(index).copied() else {
+                continue;
+            };
+            if new.reliability.activations() > 0 {
+                continue;
+            }
+            let alike =
+                |other: &&Schema| other.context == new.context && other.action == new.action;
+            let mut total = 0_u32;
+            for other in self.schemas.iter().filter(alike) {
+                total = total.saturating_add(u32::from(other.support));
+            }
+            if let Some(schema) = self.schemas.get_mut(index) {
+                schema.reliability = Reliability::from_counts(u32::from(new.support), total);
+            }
+        }
+    }
+}
+
+impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize> Default
+    for KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,43 @@
+//! A schema as it is stored: context / action / result by reference, and its trials (book, 5.1.1).
+
+use super::action::ActionId;
+use super::reliability::Reliability;
+
+/// The index of a conjunction in a knowledge base.
+///
+/// ```
+/// use cla_core::clasm::PatternId;
+/// assert!(PatternId(0) < PatternId(1));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct PatternId(pub u16);
+
+/// The index of a schema in a knowledge base; valid until the next harvest.
+///
+/// ```
+/// use cla_core::clasm::SchemaId;
+/// assert!(SchemaId(0) < SchemaId(1));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SchemaId(pub u16);
+
+/// A prediction: if the context holds and the action is done, the result is expected.
+///
+/// Contexts and results repeat, so each is stored once and named by its [`PatternId`].
+///
+/// ```
+/// assert_eq!(core::mem::size_of::<cla_core::clasm::Schema>(), 20);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Schema {
+    /// What must hold before.
+    pub context: PatternId,
+    /// What is done.
+    pub action: ActionId,
+    /// What is expected afterwards.
+    pub result: PatternId,
+    /// How often nodes of the last harvest that say this had won; 0 when none says it any more.
+    pub support: u16,
+    /// Its trials.
+    pub reliability: Reliability,
+}

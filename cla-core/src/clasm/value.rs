@@ -1,0 +1,275 @@
+//! Values: what items and states are worth (book, 6.1.1, 6.2.2).
+//!
+//! Two rules over the same schemas.
+//! The book's: the context items of a schema get 95 % of the value of its result, the largest wins;
+//! unreliable detours count as much as sure ways.
+//! Expected value: a state is worth what the best action there brings on average over the
+//! alternative results of its schemas, which is what the reliabilities are good for.
+
+use core::fmt;
+
+use super::item::{ItemId, ItemStates};
+use super::knowledge::KnowledgeBase;
+use super::reliability::Estimate;
+use super::signed_items::SignedItems;
+
+/// How values spread from results to contexts.
+///
+/// ```
+/// use cla_core::clasm::ValueConfig;
+/// assert_eq!(ValueConfig::BOOK.discount, 0.95);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ValueConfig {
+    /// Share of a result's value that its context gets, in `[0, 1)` (book: .95).
+    pub discount: f32,
+    /// Schemas below this reliability pass no deferred value on, in `[0, 1]`.
+    /// The book has no such bound, but also no schema from a chance meeting.
+    pub chain_reliability: f32,
+    /// Which reliability counts.
+    pub estimate: Estimate,
+}
+
+impl ValueConfig {
+    /// The book's share, over the schemas that work at least one time in twenty.
+    pub const BOOK: Self = Self {
+        discount: 0.95,
+        chain_reliability: 0.05,
+        estimate: Estimate::Plain,
+    };
+}
+
+/// An inherent value that cannot be given.
+///
+/// ```
+/// use cla_core::clasm::{ItemId, KnowledgeBase, InherentValueError};
+/// let mut knowledge = KnowledgeBase::<1, 4, 4>::new();
+/// assert_eq!(knowledge.set_inherent_value(ItemId(0), f32::NAN), Err(InherentValueError::NotFinite));
+/// assert_eq!(knowledge.set_inherent_value(ItemId(99), 1.0), Err(InherentValueError::NoSuchItem));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InherentValueError {
+    /// The value is NaN or infinite.
+    NotFinite,
+    /// The item does not fit the capacity.
+    NoSuchItem,
+}
+
+impl fmt::Display for InherentValueError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotFinite => "an inherent value must be a finite number",
+            Self::NoSuchItem => "the item does not fit the capacity",
+        })
+    }
+}
+
+impl core::error::Error for InherentValueError {}
+
+impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
+    KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
+{
+    /// Says what being on is worth for an item, for its own sake.
+    ///
+    /// # Errors
+    /// [`InherentValueError`]; nothing changes then.
+    pub fn set_inherent_value(
+        &mut self,
+        item: ItemId,
+        value: f32,
+    ) -> Result<(), InherentValueError> {
+        if !value.is_finite() {
+            return Err(InherentValueError::NotFinite);
+        }
+        let slot = self
+            .inherent
+            .as_flattened_mut()
+            .get_mut(usize::from(item.0));
+        *slot.ok_or(InherentValueError::NoSuchItem)? = value;
+        Ok(())
+    }
+
+    /// What being on is worth for an item, for its own sake; 0 for an item outside the capacity.
+    #[must_use]
+    pub fn inherent_value(&self, item: ItemId) -> f32 {
+        self.inherent
+            .as_flattened()
+            .get(usize::from(item.0))
+            .copied()
+            .unwrap_or(0.0)
+    }
+
+    /// The book's value of an item: the larger of its inherent value and what it leads to.
+    ///
+    /// Up to date after [`defer_values`](Self::defer_values).
+    #[must_use]
+    pub fn deferred_value(&self, item: ItemId) -> f32 {
+        let inherent = self.inherent_value(item);
+        let deferred = self
+            .deferred
+            .as_flattened()
+            .get(usize::from(item.0))
+            .copied();
+        deferred.map_or(
+            inherent,
+            |value| if value > inherent { value } else { inherent },
+        )
+    }
+
+    /// The book's value of a conjunction: the largest of its positive items'.
+    #[must_use]
+    pub fn largest_value(&self, items: &SignedItems<WORDS>) -> f32 {
+        let mut largest = 0.0;
+        for item in items.positive().iter() {
+            let value = self.deferred_value(item);
+            if value > largest {
+                largest = value;
+            }
+        }
+        largest
+    }
+
+    /// What a state is worth for its own sake: the sum of the inherent values of what is on.
+    #[must_use]
+    pub fn reward(&self, state: &ItemStates<WORDS>) -> f32 {
+        let mut total = 0.0;
+        for item in state.on().iter() {
+            total += self.inherent_value(item);
+        }
+        total
+    }
+
+    /// Spreads values backwards through the reliable schemas until nothing changes (book, 6.2.2).
+    ///
+    /// At most one pass an item: a chain visits each item once.
+    pub fn defer_values(&mut self, config: &ValueConfig) {
+        self.deferred = [[0.0; 32]; WORDS];
+        for _ in 0..WORDS * 32 {
+            if !self.defer_once(config) {
+                return;
+            }
+        }
+    }
+
+    fn defer_once(&mut self, config: &ValueConfig) -> bool {
+        let mut changed = false;
+        for index in 0..self.schemas.len() {
+            let Some(schema) = self.schemas.get(index).copied() else {
+                continue;
+            };
+            if schema.reliability.value(config.estimate) < config.chain_reliability {
+                continue;
+            }
+            let (Some(context), Some(result)) =
+                (self.pattern(schema.context), self.pattern(schema.result))
+            else {
+                continue;
+            };
+            let value = config.discount * self.largest_value(&result);
+            for item in context.positive().iter() {
+                let slots = self.deferred.as_flattened_mut();
+                if let Some(slot) = slots.get_mut(usize::from(item.0))
+                    && value > *slot
+                {
+                    *slot = value;
+                    changed = true;
+                }
+            }
+        }
+        changed
+    }
+
+    /// Brings the expected value of the next `count` patterns up to date, in turn.
+    ///
+    /// Each is one look at the tables: call it every control step with a small count, and values
+    /// follow the reliabilities at a bounded cost.
+    pub fn improve_values<const ACTIONS: usize>(&mut self, count: u16, config: &ValueConfig) {
+        for _ in 0..count {
+            if usize::from(self.next_value) >= self.patterns.len() {
+                self.next_value = 0;
+            }
+            let index = usize::from(self.next_value);
+            let Some(pattern) = self.patterns.get(index) else {
+                return;
+            };
+            let state = state_of(&pattern.items);
+            let mut best = 0.0;
+            for appraisal in self.expected_values::<ACTIONS>(&state, config) {
+                if appraisal.value > best {
+                    best = appraisal.value;
+                }
+            }
+            if let Some(pattern) = self.patterns.get_mut(index) {
+                pattern.value = best;
+            }
+            self.next_value += 1;
+        }
+    }
+
+    /// Repeats [`improve_values`](Self::improve_values) over all patterns `sweeps` times.
+    ///
+    /// For the host, or once after a harvest: with a discount of .95 a value is settled to 1 %
+    /// after about 90 sweeps, the order of actions long before.
+    pub fn settle_values<const ACTIONS: usize>(&mut self, sweeps: u16, config: &ValueConfig) {
+        for _ in 0..sweeps {
+            self.improve_values::<ACTIONS>(self.patterns(), config);
+        }
+    }
+
+    /// What each action can be expected to bring in `state`.
+    ///
+    /// The reliabilities of the applicable schemas of one action weigh the values of their results;
+    /// where overlapping contexts make them add up to more than 1 they are scaled down.
+    pub fn expected_values<const ACTIONS: usize>(
+        &mut self,
+        state: &ItemStates<WORDS>,
+        config: &ValueConfig,
+    ) -> [Appraisal; ACTIONS] {
+        self.look_at(state);
+        let mut appraisals = [Appraisal::default(); ACTIONS];
+        for schema in &self.schemas {
+            let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0)) else {
+                continue;
+            };
+            let context = self.patterns.get(usize::from(schema.context.0));
+            let result = self.patterns.get(usize::from(schema.result.0));
+            if let (Some(context), Some(result)) = (context, result)
+                && context.holds
+            {
+                let p = schema.reliability.value(config.estimate);
+                let mut value = config.discount * result.value;
+                for item in result.items.positive().iter() {
+                    value += self.inherent_value(item);
+                }
+                appraisal.value += p * value;
+                appraisal.reliability += p;
+                appraisal.applicable = true;
+            }
+        }
+        for appraisal in &mut appraisals {
+            if appraisal.reliability > 1.0 {
+                appraisal.value /= appraisal.reliability;
+            }
+        }
+        appraisals
+    }
+}
+
+/// What one action can be expected to bring.
+///
+/// ```
+/// assert!(!cla_core::clasm::Appraisal::default().applicable);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Appraisal {
+    /// Expected discounted value.
+    pub value: f32,
+    /// The sum of the reliabilities behind it.
+    pub reliability: f32,
+    /// Whether any schema of this action applies.
+    pub applicable: bool,
+}
+
+fn state_of<const WORDS: usize>(items: &SignedItems<WORDS>) -> ItemStates<WORDS> {
+    ItemStates::from_sets(items.positive(), items.negative())
+}
