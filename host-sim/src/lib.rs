@@ -1,3 +1,4 @@
 //! Worlds, experiments and reports around `cla-core`.
 
+pub mod experiment;
 pub mod world;

@@ -207,7 +207,10 @@ mod tests {
 
     #[test]
     fn overlapping_contexts_do_not_promise_more_than_certainty() {
-        let mut it = knowledge(&[("+here/leap/+gold", 9, 10), ("+here-gold/leap/+gold", 8, 10)]);
+        let mut it = knowledge(&[
+            ("+here/leap/+gold", 9, 10),
+            ("+here-gold/leap/+gold", 8, 10),
+        ]);
         let [leap, _] = it.expected_values::<2>(&here(), &ValueConfig::BOOK);
         assert!((leap.value - 10.0).abs() < 1e-4, "{leap:?}");
     }

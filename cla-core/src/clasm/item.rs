@@ -116,10 +116,7 @@ impl<const WORDS: usize> ItemSet<WORDS> {
     /// The number of items in the set.
     #[must_use]
     pub fn len(&self) -> u16 {
-        self.0
-            .iter()
-            .map(|word| word.count_ones() as u16)
-            .fold(0, |sum, ones| sum + ones)
+        self.0.iter().map(|word| word.count_ones() as u16).sum()
     }
 
     /// Whether the set has no item.

@@ -1,0 +1,16 @@
+//! The book's robot, described once: a Pioneer that collects specimens (tables 6.1 and 6.2).
+//!
+//! Simulator, firmware and budgets all use this description; it is also the example to copy.
+
+crate::brain! {
+    /// The forager with the book's maps of 20 × 20 nodes.
+    pub mod pioneer {
+        items: [s1, s2, s3, s4, s5, ingrip, bump],
+        actions: [forward, backward, turnl, turnr, turnaround, grip],
+        values: [ingrip = 10.0],
+        maps: 20 x 20,
+        patterns: 128,
+        schemas: 1024,
+        ram: 208_000,
+    }
+}

@@ -1,0 +1,3 @@
+//! The book's experiments, one module each: what is run, what is claimed.
+
+pub mod forage;
