@@ -1,5 +1,13 @@
 //! Worlds that a brain can live in.
 
+pub mod arena;
+pub mod body;
+pub mod camera;
+pub mod config;
+pub mod geometry;
+pub mod layout;
+pub mod pioneer;
+
 use cla_core::clasm::ItemStates;
 
 /// Words of the item sets that worlds report in: up to 128 primitive items.

@@ -1,0 +1,67 @@
+//! The robot's measures: body, gripper and specimens of the calibrated Stage 1.3.4 set-up.
+//!
+//! Plain numbers in metres and seconds, shared by the arena (contacts), the Pioneer (beams, ticks)
+//! and the layouts (what fits).
+//! Source: `host-sim/data/stage/README.md`.
+
+use super::geometry::{Point, Pose};
+
+/// Length of the body, metres.
+pub const BODY_LENGTH: f64 = 0.44;
+/// Width of the body, metres.
+pub const BODY_WIDTH: f64 = 0.33;
+/// How far the body's centre lies behind the centre of rotation, metres: front +0.18, back −0.26.
+pub const BODY_SETBACK: f64 = 0.04;
+/// The farthest corner of the body from the centre of rotation, metres (rounded up).
+pub const BODY_REACH: f64 = 0.31;
+/// Radius of a specimen, metres: a disc of 0.08 m.
+pub const SPECIMEN_RADIUS: f64 = 0.04;
+/// How far ahead of the centre of rotation the two gripper beams lie, metres.
+pub const BEAMS_AHEAD: [f64; 2] = [0.28, 0.32];
+/// Half the span of a gripper beam, metres.
+pub const BEAM_HALF_SPAN: f64 = 0.09;
+/// The duration of one tick, seconds.
+pub const TICK_SECONDS: f64 = 0.1;
+/// What the robot drives in one tick, metres.
+pub const TICK_METRES: f64 = 0.02;
+/// The backing of the bump reflex, metres.
+pub const REFLEX_BACK: f64 = 0.10;
+
+/// Whether a specimen at `local` (robot's frame) breaks a beam: its disc touches a beam's segment.
+#[must_use]
+pub fn breaks_a_beam(local: Point) -> bool {
+    BEAMS_AHEAD.iter().any(|&ahead| {
+        let dx = local.x - ahead;
+        let dy = (local.y.abs() - BEAM_HALF_SPAN).max(0.0);
+        dx * dx + dy * dy <= SPECIMEN_RADIUS * SPECIMEN_RADIUS
+    })
+}
+
+/// Whether a specimen at `local` may be touched by the body on a straight drive of `metres`.
+///
+/// Generous by 2 cm.
+/// A specimen between the beams' ends breaks a beam 14 cm before the body's front reaches it, and a
+/// broken beam ends the motion, so it does not count.
+#[must_use]
+pub fn may_be_touched(local: Point, metres: f64) -> bool {
+    let margin = SPECIMEN_RADIUS + 0.02;
+    let front = 0.5 * BODY_LENGTH - BODY_SETBACK;
+    let back = -0.5 * BODY_LENGTH - BODY_SETBACK;
+    local.y.abs() <= 0.5 * BODY_WIDTH + margin
+        && local.x >= back - margin + metres.min(0.0)
+        && local.x <= front + margin + metres.max(0.0)
+        && !(local.x > front + margin && local.y.abs() < BEAM_HALF_SPAN)
+}
+
+/// The corners of the body in the room.
+#[must_use]
+pub fn corners(pose: &Pose) -> [Point; 4] {
+    let (length, width) = (0.5 * BODY_LENGTH, 0.5 * BODY_WIDTH);
+    [
+        (length, width),
+        (length, -width),
+        (-length, -width),
+        (-length, width),
+    ]
+    .map(|(x, y)| pose.to_room(Point::new(x - BODY_SETBACK, y)))
+}

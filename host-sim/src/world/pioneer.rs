@@ -1,0 +1,606 @@
+//! The Pioneer: a robot with a gripper and a camera among specimens in a round room (book, 6.1–6.2).
+//!
+//! Owns what the robot does and senses: six actions in ticks of 0.1 s, gripper beams, bump sensor,
+//! five exclusive sectors, two reflexes, and the noise on them.
+//! Contacts are the arena's, visibility the camera's; measures are in [`body`](super::body).
+//! Calibrated against Stage 1.3.4 (`experiment::calibrate`).
+
+use core::fmt;
+
+use cla_core::clasm::{ItemId, ItemStates};
+use cla_core::num::Rng;
+
+use super::arena::Arena;
+use super::body::{REFLEX_BACK, TICK_METRES, TICK_SECONDS, breaks_a_beam, corners, may_be_touched};
+use super::camera::{Blob, Camera, SECTORS};
+use super::config::{AfterCapture, ConfigError, PioneerConfig};
+use super::geometry::{Point, Pose};
+use super::layout::{Layout, LayoutError, free_place};
+use super::{Percept, World};
+
+/// The names of the Pioneer's primitive items, in the order of their ids.
+pub const ITEMS: [&str; 7] = ["s1", "s2", "s3", "s4", "s5", "ingrip", "bump"];
+/// The names of the Pioneer's primitive actions, in the order of their indices.
+pub const ACTIONS: [&str; 6] = [
+    "forward",
+    "backward",
+    "turnl",
+    "turnr",
+    "turnaround",
+    "grip",
+];
+
+/// Index of the item s1; s2 to s5 follow it.
+pub const S1: u16 = 0;
+/// Index of the item `ingrip`: a specimen breaks a beam of the gripper.
+pub const INGRIP: u16 = 5;
+/// Index of the item `bump`: a wall refused the last motion.
+pub const BUMP: u16 = 6;
+
+/// Index of the action `forward`.
+pub const FORWARD: usize = 0;
+/// Index of the action `backward`.
+pub const BACKWARD: usize = 1;
+/// Index of the action `turnl`.
+pub const TURN_LEFT: usize = 2;
+/// Index of the action `turnr`.
+pub const TURN_RIGHT: usize = 3;
+/// Index of the action `turnaround`.
+pub const TURN_AROUND: usize = 4;
+/// Index of the action `grip`: close the gripper and open it again.
+pub const GRIP: usize = 5;
+
+/// The largest turn in one tick, degrees: 180° take 2.3 s in the Stage runs.
+const TICK_DEGREES: f64 = 8.0;
+/// Ticks of standing still after each action, as in the Stage runs; sliding specimens slide on.
+const SETTLING_TICKS: u32 = 3;
+
+/// Why there is no such world.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PioneerError {
+    /// A parameter is impossible.
+    Config(ConfigError),
+    /// There is no such layout.
+    Layout(LayoutError),
+}
+
+impl fmt::Display for PioneerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Config(error) => error.fmt(f),
+            Self::Layout(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for PioneerError {}
+
+impl From<ConfigError> for PioneerError {
+    fn from(error: ConfigError) -> Self {
+        Self::Config(error)
+    }
+}
+
+impl From<LayoutError> for PioneerError {
+    fn from(error: LayoutError) -> Self {
+        Self::Layout(error)
+    }
+}
+
+/// The Pioneer in its room.
+///
+/// ```
+/// use host_sim::world::World;
+/// use host_sim::world::config::PioneerConfig;
+/// use host_sim::world::pioneer::{FORWARD, Pioneer};
+/// let mut world = Pioneer::new(PioneerConfig::NOISY, 100)?;
+/// world.act(FORWARD);
+/// while world.reflex() {}
+/// assert_eq!(world.items().len(), 7);
+/// # Ok::<(), host_sim::world::pioneer::PioneerError>(())
+/// ```
+pub struct Pioneer {
+    config: PioneerConfig,
+    arena: Arena,
+    camera: Camera,
+    robot: Pose,
+    blobs: Vec<Blob>,
+    bumped: bool,
+    captures: u32,
+    left: usize,
+    chance: Rng,
+}
+
+impl Pioneer {
+    /// A world with a random layout; `seed` decides layout and noise.
+    ///
+    /// # Errors
+    /// [`PioneerError`] when a parameter is impossible or the room too small.
+    pub fn new(config: PioneerConfig, seed: u64) -> Result<Self, PioneerError> {
+        config.validate()?;
+        let mut places = Rng::stream(seed, 1);
+        let layout = Layout::random(config.radius, config.specimens, &mut places)?;
+        Self::with_layout(config, &layout, seed)
+    }
+
+    /// A world with a given layout; `seed` decides the noise.
+    ///
+    /// `config.specimens` is not used: the layout decides.
+    ///
+    /// # Errors
+    /// [`PioneerError`] when a parameter is impossible or the layout is for a larger room.
+    pub fn with_layout(
+        config: PioneerConfig,
+        layout: &Layout,
+        seed: u64,
+    ) -> Result<Self, PioneerError> {
+        config.validate()?;
+        layout.check(config.radius)?;
+        let mut world = Self {
+            arena: Arena::new(config.radius, &layout.specimens),
+            camera: Camera::new(config.camera_offset, config.camera_range),
+            robot: layout.robot,
+            blobs: Vec::with_capacity(layout.specimens.len()),
+            bumped: false,
+            captures: 0,
+            left: layout.specimens.len(),
+            chance: Rng::stream(seed, 2),
+            config,
+        };
+        world.look();
+        Ok(world)
+    }
+
+    /// The parameters of this world.
+    #[must_use]
+    pub const fn config(&self) -> &PioneerConfig {
+        &self.config
+    }
+
+    /// The robot's centre of rotation and heading.
+    #[must_use]
+    pub const fn robot(&self) -> &Pose {
+        &self.robot
+    }
+
+    /// The corners of the robot's body.
+    #[must_use]
+    pub fn body(&self) -> [Point; 4] {
+        corners(&self.robot)
+    }
+
+    /// Where each specimen is; `None` for one that was taken.
+    #[must_use]
+    pub fn specimens(&self) -> &[Option<Point>] {
+        self.arena.positions()
+    }
+
+    /// The blobs of the present percept from left to right, without those that noise hid.
+    #[must_use]
+    pub fn blobs(&self) -> &[Blob] {
+        &self.blobs
+    }
+
+    /// The blob that decides the exclusive sector: the nearest, the leftmost of equals.
+    #[must_use]
+    pub fn nearest_blob(&self) -> Option<&Blob> {
+        self.blobs
+            .iter()
+            .reduce(|best, blob| if blob.range < best.range { blob } else { best })
+    }
+
+    /// Whether a specimen breaks a beam of the gripper.
+    #[must_use]
+    pub fn beam_broken(&self) -> bool {
+        self.in_beams().is_some()
+    }
+
+    /// The percept with every sector on that holds a blob, not only the nearest blob's.
+    ///
+    /// What the controllers of the Stage runs steer by.
+    #[must_use]
+    pub fn sense_all_sectors(&self) -> Percept {
+        self.percept(self.blobs.iter().map(Blob::sector))
+    }
+
+    /// Turns the camera on its mount (damage), in degrees to the left; the percept changes at once.
+    ///
+    /// # Errors
+    /// [`ConfigError`] outside −180 to 180 or NaN; nothing has changed.
+    pub fn set_camera_offset(&mut self, degrees: f64) -> Result<(), ConfigError> {
+        let config = PioneerConfig {
+            camera_offset: degrees,
+            ..self.config
+        };
+        config.validate()?;
+        self.config = config;
+        self.camera.set_offset(degrees);
+        self.look();
+        Ok(())
+    }
+
+    fn percept(&self, sectors: impl Iterator<Item = usize>) -> Percept {
+        let mut percept = ItemStates::all_off(ITEMS.len() as u16);
+        let on = sectors.map(|sector| S1 + sector.min(SECTORS - 1) as u16);
+        let on = on.chain(self.beam_broken().then_some(INGRIP));
+        for item in on.chain(self.bumped.then_some(BUMP)) {
+            // Seven items always fit.
+            let _ = percept.set(ItemId(item), Some(true));
+        }
+        percept
+    }
+
+    /// The first specimen that breaks a beam.
+    fn in_beams(&self) -> Option<usize> {
+        let in_beam = |at: &Point| breaks_a_beam(self.robot.to_local(*at));
+        let specimens = self.arena.positions();
+        specimens
+            .iter()
+            .position(|at| at.as_ref().is_some_and(in_beam))
+    }
+
+    /// Takes a new picture; each blob is missed with the drop-out probability.
+    fn look(&mut self) {
+        self.camera
+            .look(&self.robot, self.arena.positions(), &mut self.blobs);
+        if self.config.drop_out > 0.0 {
+            let (chance, miss) = (&mut self.chance, self.config.drop_out as f32);
+            self.blobs.retain(|_| !chance.chance(miss));
+        }
+    }
+
+    /// Drives straight until the distance is done, a wall refuses a tick or a beam breaks.
+    fn drive(&mut self, metres: f64) {
+        let metres = metres * (1.0 + self.config.step_noise * self.normal()).max(0.0);
+        let ticks = libm::ceil(metres.abs() / TICK_METRES - 1e-9).max(1.0);
+        let step = metres / ticks;
+        let quiet = !self.arena.anything_moves() && {
+            let touched = |at: &Point| may_be_touched(self.robot.to_local(*at), metres);
+            !self.arena.positions().iter().flatten().any(touched)
+        };
+        for _ in 0..ticks as u32 {
+            let next = self.robot.ahead(step);
+            if self.arena.body_hits_wall(&next) {
+                self.bumped = true;
+                break;
+            }
+            if !quiet {
+                self.arena.tick(&self.robot, step / TICK_SECONDS);
+            }
+            self.robot = next;
+            if self.beam_broken() {
+                break;
+            }
+        }
+    }
+
+    /// Turns on the spot, to the left; it kicks nothing. Ends early as `drive` does.
+    fn turn(&mut self, degrees: f64) {
+        let degrees = degrees + self.config.turn_noise * self.normal();
+        let ticks = libm::ceil(degrees.abs() / TICK_DEGREES).max(1.0);
+        let step = (degrees / ticks).to_radians();
+        for _ in 0..ticks as u32 {
+            let next = self.robot.turned(step);
+            if self.arena.body_hits_wall(&next) {
+                self.bumped = true;
+                break;
+            }
+            self.robot = next;
+            self.wait(1);
+            if self.beam_broken() {
+                break;
+            }
+        }
+    }
+
+    /// Closes the gripper, which swallows what breaks a beam, and opens it.
+    fn grip(&mut self) {
+        while let Some(taken) = self.in_beams() {
+            self.captures += 1;
+            self.arena.remove(taken);
+            match self.config.after_capture {
+                AfterCapture::Removed => self.left -= 1,
+                AfterCapture::Replaced => {
+                    let others: Vec<Point> =
+                        self.arena.positions().iter().flatten().copied().collect();
+                    let robot = self.robot.position;
+                    let at = free_place(self.config.radius, robot, &others, &mut self.chance);
+                    self.arena.place(taken, at);
+                }
+            }
+        }
+    }
+
+    /// Lets sliding specimens slide while the robot stands.
+    fn wait(&mut self, ticks: u32) {
+        for _ in 0..ticks {
+            if !self.arena.anything_moves() {
+                break;
+            }
+            self.arena.tick(&self.robot, 0.0);
+        }
+    }
+
+    /// About standard normal, within ±6: the sum of twelve uniform numbers (Irwin–Hall).
+    fn normal(&mut self) -> f64 {
+        (0..12).fold(-6.0, |sum, _| sum + f64::from(self.chance.unit()))
+    }
+}
+
+impl World for Pioneer {
+    fn items(&self) -> &'static [&'static str] {
+        &ITEMS
+    }
+
+    fn actions(&self) -> &'static [&'static str] {
+        &ACTIONS
+    }
+
+    /// Sectors are exclusive: the nearest blob decides. Noise hides a blob until the next action.
+    fn sense(&self) -> Percept {
+        self.percept(self.nearest_blob().map(Blob::sector).into_iter())
+    }
+
+    /// Does an action; a motion ends early at a wall (`bump`) or when a beam breaks (`ingrip`).
+    ///
+    /// An index without an action does nothing, not even a new percept.
+    fn act(&mut self, action: usize) {
+        if action >= ACTIONS.len() {
+            return;
+        }
+        self.bumped = false;
+        match action {
+            FORWARD => self.drive(self.config.forward),
+            BACKWARD => self.drive(-self.config.backward),
+            TURN_LEFT => self.turn(self.config.turn),
+            TURN_RIGHT => self.turn(-self.config.turn),
+            TURN_AROUND => self.turn(180.0),
+            _ => self.grip(),
+        }
+        self.wait(SETTLING_TICKS);
+        self.look();
+    }
+
+    /// `ingrip` → grip; else `bump` → back 0.10 m and turn 180°.
+    ///
+    /// After a reflex `bump` is off, even where the robot is so cornered that it could not move.
+    fn reflex(&mut self) -> bool {
+        if self.beam_broken() {
+            self.grip();
+        } else if self.bumped {
+            self.drive(-REFLEX_BACK);
+            self.turn(180.0);
+        } else {
+            return false;
+        }
+        self.bumped = false;
+        self.wait(SETTLING_TICKS);
+        self.look();
+        true
+    }
+
+    fn captures(&self) -> u32 {
+        self.captures
+    }
+
+    fn finished(&self) -> bool {
+        self.left == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cla_core::num::Rng;
+
+    use super::{
+        BACKWARD, FORWARD, GRIP, INGRIP, Layout, Pioneer, PioneerConfig, Point, Pose, TURN_AROUND,
+        TURN_LEFT, TURN_RIGHT, World,
+    };
+    use cla_core::clasm::ItemId;
+
+    fn world(config: PioneerConfig, robot: Pose, specimens: &[(f64, f64)]) -> Pioneer {
+        let specimens = specimens.iter().map(|&(x, y)| Point::new(x, y)).collect();
+        Pioneer::with_layout(config, &Layout { robot, specimens }, 1).unwrap()
+    }
+
+    fn quiet(robot: Pose, specimens: &[(f64, f64)]) -> Pioneer {
+        world(PioneerConfig::stage(5.0, 0.5), robot, specimens)
+    }
+
+    fn on(world: &Pioneer, item: u16) -> bool {
+        world.sense().get(ItemId(item)) == Some(true)
+    }
+
+    const EAST: fn(f64) -> Pose = |x| Pose::new(Point::new(x, 0.0), 0.0);
+
+    #[test]
+    fn forward_stops_when_the_beam_breaks() {
+        let mut world = quiet(EAST(0.0), &[(0.5, 0.0), (4.0, 0.0)]);
+        world.act(FORWARD);
+        assert!(on(&world, INGRIP));
+        let x = world.robot().position.x;
+        assert!((0.13..=0.17).contains(&x), "{x} m");
+        assert!(world.reflex());
+        assert_eq!(world.captures(), 1);
+        assert!(!on(&world, INGRIP) && !world.reflex() && !world.finished());
+    }
+
+    #[test]
+    fn the_last_specimen_ends_a_run_with_removal_only() {
+        let robot = EAST(0.0);
+        let mut removed = quiet(robot, &[(0.3, 0.0)]);
+        let mut replaced = world(PioneerConfig::NOISE_FREE, robot, &[(0.3, 0.0)]);
+        removed.act(GRIP);
+        replaced.act(GRIP);
+        assert!(removed.captures() == 1 && removed.finished());
+        assert!(replaced.captures() == 1 && !replaced.finished());
+        let back = replaced.specimens()[0].unwrap();
+        assert!(back.distance(robot.position) >= 0.69);
+    }
+
+    #[test]
+    fn walls_stop_the_robot_and_set_bump_and_the_reflex_turns_it_round() {
+        let mut world = quiet(EAST(4.7), &[(0.0, 4.0)]);
+        world.act(FORWARD);
+        assert!(on(&world, super::BUMP));
+        let x = world.robot().position.x;
+        assert!((4.77..4.82).contains(&x), "{x} m");
+        assert!(world.reflex());
+        assert!((world.robot().position.x - (x - 0.10)).abs() < 1e-9);
+        // 10 cm are not enough for the rear corners to pass: the wall ends the turn early.
+        assert!(world.robot().heading().to_degrees().abs() > 110.0);
+        assert!(!on(&world, super::BUMP) && !world.reflex());
+    }
+
+    #[test]
+    fn a_body_that_passes_kicks_a_specimen_and_one_that_turns_does_not() {
+        let mut world = quiet(EAST(0.0), &[(0.30, 0.15)]);
+        for action in [
+            TURN_LEFT, TURN_RIGHT, TURN_RIGHT, TURN_RIGHT, TURN_LEFT, TURN_LEFT,
+        ] {
+            world.act(action);
+        }
+        assert!((world.specimens()[0].unwrap().x - 0.30).abs() < 1e-6);
+        world.act(FORWARD);
+        for _ in 0..50 {
+            world.act(GRIP);
+        }
+        let at = world.specimens()[0].unwrap();
+        assert!(at.x > 0.8 && world.captures() == 0, "{at:?}");
+    }
+
+    #[test]
+    fn the_nearest_blob_alone_decides_the_sector() {
+        // Ahead at 2 m, far left at 1 m.
+        let world = quiet(EAST(0.0), &[(2.0, 0.0), (0.91, 0.41)]);
+        let near: Vec<u16> = world.sense().on().iter().map(|item| item.0).collect();
+        let all: Vec<u16> = world
+            .sense_all_sectors()
+            .on()
+            .iter()
+            .map(|item| item.0)
+            .collect();
+        assert_eq!((near, all), (vec![0], vec![0, 2]));
+    }
+
+    #[test]
+    fn the_same_seed_and_actions_give_the_same_percepts() {
+        let run = |seed: u64| {
+            let mut world = Pioneer::new(PioneerConfig::NOISY, seed).unwrap();
+            let mut rng = Rng::new(9);
+            let mut percepts = Vec::new();
+            for _ in 0..3000 {
+                world.act(rng.below(6) as usize);
+                percepts.push(world.sense());
+                while world.reflex() {}
+                percepts.push(world.sense());
+            }
+            percepts
+        };
+        assert_eq!(run(5), run(5));
+        assert_ne!(run(5), run(6));
+    }
+
+    #[test]
+    fn nothing_ever_leaves_the_room_or_passes_a_wall() {
+        for (seed, config) in [
+            (1, PioneerConfig::NOISY),
+            (
+                2,
+                PioneerConfig {
+                    backward: 0.5,
+                    radius: 2.5,
+                    ..PioneerConfig::NOISY
+                },
+            ),
+            (3, PioneerConfig::stage(3.0, 0.5)),
+        ] {
+            let mut world = Pioneer::new(config, seed).unwrap();
+            let mut rng = Rng::new(seed);
+            let centre = Point::default();
+            for _ in 0..10_000 {
+                // Mostly forward, to meet walls and specimens.
+                let action = rng.below(9) as usize;
+                world.act(if action < 6 { action } else { FORWARD });
+                while world.reflex() {}
+                for corner in world.body() {
+                    assert!(corner.distance(centre) <= config.radius + 0.005);
+                }
+                for at in world.specimens().iter().flatten() {
+                    assert!(at.distance(centre) <= config.radius - 0.039, "{at:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_blob_is_missed_when_the_drop_out_is_certain() {
+        let mut config = PioneerConfig {
+            drop_out: 1.0,
+            ..PioneerConfig::NOISE_FREE
+        };
+        let blind = world(config, EAST(0.0), &[(2.0, 0.0)]);
+        assert!(blind.sense().on().is_empty());
+        config.drop_out = 0.0;
+        assert_eq!(
+            world(config, EAST(0.0), &[(2.0, 0.0)]).sense().on().len(),
+            1
+        );
+    }
+
+    #[test]
+    fn drop_out_and_motion_noise_have_the_stated_size() {
+        let mut misses = 0;
+        let mut squares = (0.0, 0.0);
+        let n = 4000;
+        for seed in 0..n {
+            let robot = EAST(0.0);
+            let layout = Layout {
+                robot,
+                specimens: vec![Point::new(4.0, 0.0)],
+            };
+            let mut world = Pioneer::with_layout(PioneerConfig::NOISY, &layout, seed).unwrap();
+            misses += u32::from(world.blobs().is_empty());
+            world.act(FORWARD);
+            squares.0 += (world.robot().position.x / 0.5 - 1.0).powi(2);
+            world.act(TURN_LEFT);
+            squares.1 += (world.robot().heading().to_degrees() - 5.0).powi(2);
+        }
+        let share = f64::from(misses) / n as f64;
+        assert!((0.15..=0.19).contains(&share), "{share}");
+        let (step, turn) = ((squares.0 / n as f64).sqrt(), (squares.1 / n as f64).sqrt());
+        assert!((0.028..=0.032).contains(&step) && (0.47..=0.53).contains(&turn));
+    }
+
+    #[test]
+    fn an_unknown_action_changes_nothing() {
+        let mut world = Pioneer::new(PioneerConfig::NOISY, 3).unwrap();
+        let before = (world.sense(), *world.robot());
+        world.act(6);
+        world.act(usize::MAX);
+        assert_eq!(before, (world.sense(), *world.robot()));
+    }
+
+    #[test]
+    fn turning_round_sweeps_the_gripper_and_stops_at_a_specimen() {
+        let mut world = quiet(EAST(0.0), &[(0.0, 0.30)]);
+        world.act(TURN_AROUND);
+        assert!(on(&world, INGRIP));
+        world.act(BACKWARD);
+        assert!(world.robot().position.y < 0.0);
+    }
+
+    #[test]
+    fn impossible_worlds_are_refused() {
+        let tight = PioneerConfig {
+            radius: 1.2,
+            ..PioneerConfig::NOISY
+        };
+        assert!(Pioneer::new(tight, 1).is_err());
+        let layout = Layout::parse("0\n4 0\n", 5.0).unwrap();
+        assert!(Pioneer::with_layout(PioneerConfig::stage(3.0, 0.5), &layout, 1).is_err());
+        let mut world = Pioneer::new(PioneerConfig::NOISY, 1).unwrap();
+        assert!(world.set_camera_offset(f64::NAN).is_err());
+        assert!(world.set_camera_offset(12.0).is_ok());
+    }
+}
