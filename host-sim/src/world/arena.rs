@@ -71,7 +71,8 @@ impl Arena {
             .iter()
             .map(|&at| insert_specimen(&mut physics, at))
             .collect();
-        physics.detect_collisions(&(), &());
+        // Registers every body and makes the walls known to queries; nothing moves.
+        physics.step();
         Self {
             physics,
             robot,
@@ -129,19 +130,18 @@ impl Arena {
     /// Takes a specimen out of the room; nothing happens when it is not there.
     pub fn remove(&mut self, specimen: usize) {
         if let Some(position) = self.positions.get_mut(specimen) {
-            *position = None;
-            self.physics.bodies[self.specimens[specimen]].set_enabled(false);
+            if position.take().is_some() {
+                self.physics.remove_body(self.specimens[specimen]);
+            }
         }
     }
 
     /// Puts a specimen to rest at a place; nothing happens when there is no such specimen.
     pub fn place(&mut self, specimen: usize, at: Point) {
+        self.remove(specimen);
         if let Some(position) = self.positions.get_mut(specimen) {
             *position = Some(rounded(at));
-            let body = &mut self.physics.bodies[self.specimens[specimen]];
-            body.set_enabled(true);
-            body.set_linvel(Vector::ZERO, false);
-            body.set_translation(Vector::new(at.x as f32, at.y as f32), false);
+            self.specimens[specimen] = insert_specimen(&mut self.physics, at);
         }
     }
 
