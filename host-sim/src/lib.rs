@@ -1,4 +1,5 @@
 //! Worlds, experiments and reports around `cla-core`.
 
+pub mod baseline;
 pub mod experiment;
 pub mod world;

@@ -1,3 +1,4 @@
 //! The book's experiments, one module each: what is run, what is claimed.
 
+pub mod calibrate;
 pub mod forage;
