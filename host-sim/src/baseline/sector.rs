@@ -1,8 +1,9 @@
 //! The controller `sector`: a visual servo on the five sectors, with a one-action memory.
 //!
 //! Source: `host-sim/data/stage/README.md`.
-//! In the Stage runs it saw every sector with a blob in it (`Pioneer::sense_all_sectors`); as a
-//! baseline for learners it gets the same exclusive percept as they do.
+//! There it saw every sector with a blob in it (`Pioneer::sense_all_sectors`).
+//! On the exclusive percept that learners get it captures half as much again, because the nearest
+//! blob never gives way to another: the harder baseline.
 
 use cla_core::clasm::ItemId;
 use cla_core::num::Rng;

@@ -129,10 +129,9 @@ impl Arena {
 
     /// Takes a specimen out of the room; nothing happens when it is not there.
     pub fn remove(&mut self, specimen: usize) {
-        if let Some(position) = self.positions.get_mut(specimen) {
-            if position.take().is_some() {
-                self.physics.remove_body(self.specimens[specimen]);
-            }
+        let position = self.positions.get_mut(specimen);
+        if position.is_some_and(|position| position.take().is_some()) {
+            self.physics.remove_body(self.specimens[specimen]);
         }
     }
 
