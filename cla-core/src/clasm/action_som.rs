@@ -202,7 +202,14 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize> ActionSom<WIDT
         if config.recruitment.as_ref().is_some_and(novel) {
             return self.recruit(sample);
         }
-        self.count_win(best.node);
+        // Wins of a map that is still unfolding say nothing about what its nodes became.
+        if config
+            .recruitment
+            .as_ref()
+            .is_none_or(|it| samples >= it.after)
+        {
+            self.count_win(best.node);
+        }
         // Schedules and cut were validated with the configuration; a bad value moves the winner.
         let near = Neighbourhood::gaussian(config.sigma.at(samples), config.cut)
             .unwrap_or(Neighbourhood::winner_only());

@@ -167,6 +167,8 @@ pub struct Agent<
     since_harvest: u32,
     since_reward: u16,
     burst: u16,
+    run: u16,
+    exploring: bool,
 }
 
 impl<
@@ -200,6 +202,8 @@ impl<
             since_harvest: 0,
             since_reward: 0,
             burst: 0,
+            run: 0,
+            exploring: false,
         }
     }
 
@@ -220,6 +224,7 @@ impl<
         self.since_harvest = 0;
         self.since_reward = 0;
         self.burst = 0;
+        self.run = 0;
         Ok(())
     }
 
@@ -233,7 +238,7 @@ impl<
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
         let config = self.config.ok_or(AgentError::NotBegun)?;
         let explore = match self.stage {
-            Stage::Training => !self.rng.chance(config.greedy_share),
+            Stage::Training => self.explores(&config),
             Stage::Acting(_) | Stage::Unborn => false,
         };
         let choice = if explore {
@@ -373,6 +378,16 @@ impl<
     #[must_use]
     pub const fn stage(&self) -> Stage {
         self.stage
+    }
+
+    /// Whether this step of training is random; drawn anew for each run of actions.
+    fn explores(&mut self, config: &AgentConfig) -> bool {
+        if self.run == 0 {
+            self.run = config.training_run;
+            self.exploring = !self.rng.chance(config.greedy_share);
+        }
+        self.run -= 1;
+        self.exploring
     }
 
     fn random(&mut self, reason: Reason) -> Choice {

@@ -35,6 +35,10 @@ pub struct AgentConfig {
     pub forgetting: f32,
     /// In training, the share of actions chosen by value; the others are random (book: .2, 6.2.3).
     pub greedy_share: f32,
+    /// Actions in a row that training chooses the same way, by value or at random; at least 1.
+    /// With 1 (the book's reading) a robot never follows its own policy for more than a moment, so
+    /// it never sees the states that this policy leads to.
+    pub training_run: u16,
     /// A way out of loops; without it a robot may shuttle forever.
     pub escape: Option<Escape>,
 }
@@ -72,8 +76,8 @@ pub enum ConfigError {
     Discount,
     /// A harvest threshold is outside `[0, 1]` or NaN, or `off` is not below `on`.
     Thresholds,
-    /// `harvest_every` is 0.
-    HarvestEvery,
+    /// `harvest_every` or `training_run` is 0.
+    NoActions,
     /// The learning rate starts above 1.
     Alpha,
     /// The neighbourhood cut is outside `[0, 1]`, or a weight or vigilance is negative, or NaN.
@@ -87,7 +91,7 @@ impl fmt::Display for ConfigError {
             Self::Forgetting => "forgetting must lie between 0 and 1",
             Self::Discount => "the discount must lie between 0 and 1, 1 excluded",
             Self::Thresholds => "harvest thresholds must satisfy 0 <= off < on <= 1",
-            Self::HarvestEvery => "a harvest needs at least one action before it",
+            Self::NoActions => "a harvest and a training run need at least one action",
             Self::Alpha => "the learning rate must not exceed 1",
             Self::Training => "cut, result weight and vigilance must be finite and in range",
         })
@@ -109,6 +113,7 @@ impl AgentConfig {
         rule: ChoiceRule::Lexicographic,
         forgetting: 0.0,
         greedy_share: 0.2,
+        training_run: 1,
         escape: None,
     };
 
@@ -144,8 +149,8 @@ impl AgentConfig {
         if !share(on) || !share(off) || off >= on {
             return Err(ConfigError::Thresholds);
         }
-        if self.harvest_every == 0 {
-            return Err(ConfigError::HarvestEvery);
+        if self.harvest_every == 0 || self.training_run == 0 {
+            return Err(ConfigError::NoActions);
         }
         if !share(self.training.alpha.at(0)) || !share(self.training.alpha.at(u32::MAX)) {
             return Err(ConfigError::Alpha);
