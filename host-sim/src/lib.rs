@@ -2,4 +2,5 @@
 
 pub mod baseline;
 pub mod experiment;
+pub mod report;
 pub mod world;

@@ -1,0 +1,22 @@
+//! What an experiment hands over: claims with their verdicts, tables, figures, files.
+//!
+//! An experiment measures and returns a [`Summary`]; everything that is printed, drawn or written
+//! is made from it, so that the terminal, the figures and the JSON cannot disagree.
+//! The module knows nothing of worlds or brains.
+
+mod claims;
+pub mod figure;
+mod output;
+mod rule;
+mod statistics;
+mod summary;
+mod table;
+
+pub use claims::{Book, Claim, Expectation, Ours, Verdict};
+pub use output::{Output, OutputError};
+pub use rule::{Bound, Rule, Statistic};
+pub use statistics::{
+    Interval, Welch, cohens_d, confidence_interval, mean, median, quantile, sample_sd, welch_t,
+};
+pub use summary::{Summary, Table};
+pub use table::{claims_text, table_text};
