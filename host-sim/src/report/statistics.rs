@@ -23,10 +23,11 @@ pub fn mean(values: &[f64]) -> f64 {
 /// ```
 #[must_use]
 pub fn sample_sd(values: &[f64]) -> f64 {
-    if values.len() == 1 {
-        return 0.0;
+    match values.len() {
+        0 => f64::NAN,
+        1 => 0.0,
+        _ => variance(values).sqrt(),
     }
-    variance(values).sqrt()
 }
 
 fn variance(values: &[f64]) -> f64 {

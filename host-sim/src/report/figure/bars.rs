@@ -3,7 +3,7 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{Axes, FigureError, LABEL, Picture, SMALL, TITLE, fitted, palette, picture};
+use super::{Axes, FigureError, LABEL, Picture, SMALL, TITLE, fitted, palette, picture, tick};
 use crate::report::{mean, sample_sd};
 
 /// A bar, with the number to compare it with where there is one.
@@ -15,7 +15,7 @@ pub struct Bar {
     pub value: f64,
     /// Half the length of its error bar.
     pub error: Option<f64>,
-    /// The book's number: a black line across the bar.
+    /// The number to compare it with: a stroke across the bar.
     pub reference: Option<f64>,
 }
 
@@ -89,6 +89,7 @@ pub fn bar_chart(axes: &Axes, bars: &[Bar]) -> Result<Picture, FigureError> {
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
             .x_labels(0)
+            .y_label_formatter(&tick)
             .y_desc(&axes.y_label)
             .axis_desc_style(("sans-serif", LABEL))
             .label_style(("sans-serif", SMALL))
@@ -175,7 +176,9 @@ pub fn histogram(axes: &Axes, values: &[f64], bins: usize) -> Result<Picture, Fi
             .disable_x_mesh()
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
+            .x_label_formatter(&tick)
             .x_desc(&axes.x_label)
+            .y_label_formatter(&tick)
             .y_desc(&axes.y_label)
             .axis_desc_style(("sans-serif", LABEL))
             .label_style(("sans-serif", SMALL))

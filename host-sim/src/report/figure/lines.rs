@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::{Axes, FigureError, LABEL, Picture, SMALL, TITLE, fitted, palette, picture};
+use super::{Axes, FigureError, LABEL, Picture, SMALL, TITLE, fitted, palette, picture, tick};
 use crate::report::{confidence_interval, mean};
 
 /// A point of a line, with the ends of its band where it has one.
@@ -130,7 +130,9 @@ pub fn line_chart(axes: &Axes, lines: &[Line]) -> Result<Picture, FigureError> {
             .configure_mesh()
             .light_line_style(TRANSPARENT)
             .bold_line_style(BLACK.mix(0.12))
+            .x_label_formatter(&tick)
             .x_desc(&axes.x_label)
+            .y_label_formatter(&tick)
             .y_desc(&axes.y_label)
             .axis_desc_style(("sans-serif", LABEL))
             .label_style(("sans-serif", SMALL))

@@ -166,6 +166,16 @@ fn rasterize(svg: &str) -> Result<Vec<u8>, String> {
     page.encode_png().map_err(|error| error.to_string())
 }
 
+/// A number on an axis, without the zeros that say nothing.
+fn tick(value: &f64) -> String {
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        return "0".to_owned();
+    }
+    text.to_owned()
+}
+
 /// The range of the finite values with some air around it; `None` without any.
 fn fitted(values: impl Iterator<Item = f64>, air: f64) -> Option<(f64, f64)> {
     let ends = values
