@@ -96,11 +96,19 @@ impl Arena {
         self.moving
     }
 
+    /// Whether no heading could bring the robot's body to a wall at `pose`.
+    ///
+    /// The room is round: between two such poses all are.
+    #[must_use]
+    pub fn far_from_walls(&self, pose: &Pose) -> bool {
+        let free = (self.radius - BODY_REACH).max(0.0);
+        pose.position.distance_squared(Point::default()) < free * free
+    }
+
     /// Whether the robot's body would reach into a wall at `pose`.
     #[must_use]
     pub fn body_hits_wall(&self, pose: &Pose) -> bool {
-        let free = self.radius - BODY_REACH;
-        if free > 0.0 && pose.position.distance_squared(Point::default()) < free * free {
+        if self.far_from_walls(pose) {
             return false;
         }
         let centre = pose.ahead(-BODY_SETBACK);
