@@ -37,8 +37,10 @@ const SPECIMEN: Group = Group::GROUP_3;
 /// Where it departs from Stage 1.3.4:
 /// - a kick goes along the contact normal, so a corner that grazes a specimen pushes it aside, more
 ///   slowly;
+/// - a resting specimen leaves one tick (2 cm) after the first touch: the engine wakes it first;
 /// - a specimen comes to rest below 0.02 m/s, after 0.72 m of Stage's 0.8;
-/// - specimens and walls stop a sliding specimen without a bounce, a standing robot reflects it;
+/// - a sliding specimen stops at a wall, takes another one along at half its speed, and bounces off
+///   a standing robot;
 /// - a specimen under the body after a turn stays there (a turn kicks nothing), and is pushed out by
 ///   the next tick of the engine.
 pub struct Arena {
@@ -285,6 +287,23 @@ mod tests {
         let mut arena = Arena::new(5.0, &[at]);
         drive(&mut arena, Pose::new(Point::default(), 0.0), 25);
         assert!(arena.positions()[0].unwrap().distance(at) < 1e-6);
+    }
+
+    #[test]
+    fn a_sliding_specimen_stops_at_the_wall_and_takes_another_one_along() {
+        let mut arena = Arena::new(2.0, &[Point::new(1.7, 0.0)]);
+        drive(&mut arena, Pose::new(Point::new(1.4, 0.0), 0.0), 8);
+        let at = arena.positions()[0].unwrap();
+        assert!((1.94..=1.97).contains(&at.x), "{at:?}");
+
+        let mut arena = Arena::new(5.0, &[Point::new(0.3, 0.0), Point::new(0.5, 0.0)]);
+        drive(&mut arena, Pose::new(Point::default(), 0.0), 8);
+        let [first, second] = [0, 1].map(|index| arena.positions()[index].unwrap().x);
+        let gap = second - first;
+        assert!(
+            (0.07..0.12).contains(&gap) && second > 0.7,
+            "{first} {second}"
+        );
     }
 
     #[test]
