@@ -11,7 +11,10 @@ use cla_core::clasm::{ItemId, ItemStates};
 use cla_core::num::Rng;
 
 use super::arena::Arena;
-use super::body::{REFLEX_BACK, TICK_METRES, TICK_SECONDS, breaks_a_beam, corners, may_be_touched};
+use super::body::{
+    REFLEX_BACK, TICK_METRES, TICK_SECONDS, breaks_a_beam, corners, may_be_touched,
+    may_break_a_beam,
+};
 use super::camera::{Blob, Camera, SECTORS};
 use super::config::{AfterCapture, ConfigError, PioneerConfig};
 use super::geometry::{Point, Pose};
@@ -262,10 +265,17 @@ impl Pioneer {
         let metres = metres * (1.0 + self.config.step_noise * self.normal()).max(0.0);
         let ticks = libm::ceil(metres.abs() / TICK_METRES - 1e-9).max(1.0);
         let step = metres / ticks;
-        let quiet = !self.arena.anything_moves() && {
-            let touched = |at: &Point| may_be_touched(self.robot.to_local(*at), metres);
-            !self.arena.positions().iter().flatten().any(touched)
-        };
+        let quiet = !self.arena.anything_moves() && !self.any_specimen(metres, may_be_touched);
+        let end = self.robot.ahead(metres);
+        if quiet
+            && self.arena.far_from_walls(&self.robot)
+            && self.arena.far_from_walls(&end)
+            && !self.any_specimen(metres, may_break_a_beam)
+        {
+            // Nothing can happen on the way.
+            self.robot = end;
+            return;
+        }
         for _ in 0..ticks as u32 {
             let next = self.robot.ahead(step);
             if self.arena.body_hits_wall(&next) {
@@ -280,6 +290,13 @@ impl Pioneer {
                 break;
             }
         }
+    }
+
+    fn any_specimen(&self, metres: f64, concerned: fn(Point, f64) -> bool) -> bool {
+        let specimens = self.arena.positions().iter().flatten();
+        specimens
+            .map(|&at| self.robot.to_local(at))
+            .any(|local| concerned(local, metres))
     }
 
     /// Turns on the spot, to the left, until a wall refuses a tick; it kicks nothing.

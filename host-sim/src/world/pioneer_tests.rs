@@ -230,3 +230,24 @@ fn the_reference_world_runs_far_faster_than_ten_thousand_actions_a_second() {
     println!("{rate:.0} actions/s");
     assert!(rate > 10_000.0, "{rate:.0} actions/s");
 }
+
+#[test]
+fn a_run_has_the_same_bits_in_every_build() {
+    let mut world = Pioneer::new(PioneerConfig::NOISY, 7).unwrap();
+    let mut rng = Rng::new(7);
+    let mut hash = 0xCBF2_9CE4_8422_2325_u64;
+    let mut mix = |bits: u64| hash = (hash ^ bits).wrapping_mul(0x100_0000_01B3);
+    for _ in 0..5000 {
+        // Mostly forward, to meet walls and specimens.
+        let action = rng.below(9) as usize;
+        world.act(if action < 6 { action } else { FORWARD });
+        while world.reflex() {}
+        mix(u64::from(world.sense().on().words()[0]));
+    }
+    mix(world.robot().position.x.to_bits());
+    for at in world.specimens().iter().flatten() {
+        mix(at.x.to_bits());
+        mix(at.y.to_bits());
+    }
+    assert_eq!(hash, 0x75BB_BB33_220A_27D2, "{hash:#018X}");
+}
