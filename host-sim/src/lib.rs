@@ -1,6 +1,9 @@
 //! Worlds, experiments and reports around `cla-core`.
 
 pub mod baseline;
+pub mod cli;
 pub mod experiment;
+pub mod options;
+pub mod progress;
 pub mod report;
 pub mod world;

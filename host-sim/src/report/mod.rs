@@ -7,6 +7,7 @@
 mod claims;
 pub mod figure;
 mod output;
+mod results;
 mod rule;
 mod statistics;
 mod summary;
@@ -14,6 +15,7 @@ mod table;
 
 pub use claims::{Book, Claim, Expectation, Ours, Verdict};
 pub use output::{Output, OutputError};
+pub use results::Results;
 pub use rule::{Bound, Rule, Statistic};
 pub use statistics::{
     Interval, Welch, cohens_d, confidence_interval, mean, median, quantile, sample_sd, welch_t,

@@ -8,6 +8,7 @@
 //! This module runs; `yardstick` holds the Stage runs, `compare` judges.
 
 pub mod compare;
+pub mod report;
 pub mod yardstick;
 
 use cla_core::clasm::ItemId;

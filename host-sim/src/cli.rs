@@ -1,0 +1,82 @@
+//! The command line, declared: names, defaults and help of every option, and nothing else.
+//!
+//! To add an experiment: a struct of its arguments and a variant of [`Command`] here, its validated
+//! options and a variant of [`Job`](crate::options::Job) in `options`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Robots that build their own world: the experiments of Chaput 2004, with their verdicts.
+///
+/// Exit code 0 when the experiment ran, 1 when it failed, 2 for impossible options.
+#[derive(Clone, Debug, Parser)]
+#[command(name = "host-sim", version, max_term_width = 100)]
+pub struct Cli {
+    /// What to run.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// One variant an experiment.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Command {
+    /// Compare our Pioneer with the original simulator, Stage 1.3.4 and 4.3.0, on the same layouts.
+    Calibrate(CalibrateArgs),
+}
+
+/// Where the files of a run go.
+#[derive(Clone, Debug, Args)]
+pub struct OutArgs {
+    /// Directory for summary.json and the figures [default: runs/<experiment>].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+/// The seeds of a run.
+#[derive(Clone, Debug, Args)]
+pub struct SeedArgs {
+    /// Seeds, without the last: 100..120 are twenty; or a single one.
+    #[arg(long, value_name = "A..B", default_value = "100")]
+    pub seeds: String,
+}
+
+/// The Pioneer's world.
+#[derive(Clone, Debug, Args)]
+pub struct WorldArgs {
+    /// The set of parameters that the options below change: noisy or noise-free.
+    #[arg(long, value_name = "NAME", default_value = "noisy")]
+    pub world: String,
+    /// Radius of the room, metres [noisy: 5].
+    #[arg(long, value_name = "M")]
+    pub radius: Option<f64>,
+    /// Specimens in a random layout [noisy: 28].
+    #[arg(long, value_name = "N")]
+    pub specimens: Option<usize>,
+    /// Distance of one `forward`, metres [noisy: 0.5].
+    #[arg(long, value_name = "M")]
+    pub forward: Option<f64>,
+    /// Probability that a blob is missed in one percept [noisy: 0.17].
+    #[arg(long, value_name = "P")]
+    pub drop_out: Option<f64>,
+    /// Standard deviation of a drive's distance, as a share of it [noisy: 0.03].
+    #[arg(long, value_name = "SHARE")]
+    pub step_noise: Option<f64>,
+    /// Standard deviation of a turn, degrees [noisy: 0.5].
+    #[arg(long, value_name = "DEGREES")]
+    pub turn_noise: Option<f64>,
+    /// Specimens that are taken are gone, instead of appearing elsewhere.
+    #[arg(long)]
+    pub removed: bool,
+    /// File with the places of the specimens, instead of random ones.
+    #[arg(long, value_name = "FILE")]
+    pub layout: Option<PathBuf>,
+}
+
+/// Arguments of `calibrate`.
+#[derive(Clone, Debug, Args)]
+pub struct CalibrateArgs {
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}

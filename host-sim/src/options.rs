@@ -1,0 +1,257 @@
+//! The command line, validated: only what can be run gets through.
+//!
+//! Whatever is impossible is an [`Impossible`]: one sentence, exit code 2, and nothing has been
+//! written or trained yet.
+
+use std::path::{Path, PathBuf};
+use std::{error, fmt, fs};
+
+use crate::cli::{CalibrateArgs, Cli, Command, OutArgs, SeedArgs, WorldArgs};
+use crate::experiment::calibrate;
+use crate::progress::Progress;
+use crate::report::Results;
+use crate::world::config::{AfterCapture, PioneerConfig};
+use crate::world::layout::Layout;
+use crate::world::pioneer::Pioneer;
+
+/// Most seeds of one run.
+const MOST_SEEDS: u64 = 100_000;
+
+/// Options that cannot be run, in one sentence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Impossible(String);
+
+impl Impossible {
+    /// The sentence, without a full stop.
+    #[must_use]
+    pub fn new(sentence: impl fmt::Display) -> Self {
+        Self(sentence.to_string().replace('\n', " "))
+    }
+}
+
+impl fmt::Display for Impossible {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl error::Error for Impossible {}
+
+/// Why an experiment that could be run failed.
+pub type Failure = Box<dyn error::Error + Send + Sync>;
+
+/// An experiment with options that can be run.
+#[derive(Clone, Debug)]
+pub enum Job {
+    /// See [`calibrate`].
+    Calibrate,
+}
+
+/// A job, and where its files go.
+#[derive(Clone, Debug)]
+pub struct Order {
+    /// What to run.
+    pub job: Job,
+    /// The directory of its files.
+    pub out: PathBuf,
+}
+
+impl Order {
+    /// Checks everything that can be checked without running.
+    ///
+    /// # Errors
+    /// [`Impossible`] for the first thing that cannot be.
+    pub fn new(cli: &Cli) -> Result<Self, Impossible> {
+        match &cli.command {
+            Command::Calibrate(CalibrateArgs { out }) => Ok(Self {
+                job: Job::Calibrate,
+                out: directory(out, "calibrate"),
+            }),
+        }
+    }
+}
+
+impl Job {
+    /// Runs the experiment.
+    ///
+    /// # Errors
+    /// [`Failure`] when it fails; nothing has been written.
+    pub fn run(&self, progress: &Progress) -> Result<Results, Failure> {
+        match self {
+            Self::Calibrate => calibrate::report::run(progress),
+        }
+    }
+}
+
+fn directory(args: &OutArgs, experiment: &str) -> PathBuf {
+    let default = || Path::new("runs").join(experiment);
+    args.out.clone().unwrap_or_else(default)
+}
+
+/// The seeds of `A..B` (half-open) or `A`.
+///
+/// # Errors
+/// [`Impossible`] for anything else, an empty range and more than 100,000 seeds.
+pub fn seeds(args: &SeedArgs) -> Result<Vec<u64>, Impossible> {
+    let text = args.seeds.trim();
+    let number = |part: &str| {
+        let digits = part.parse::<u64>();
+        digits.map_err(|_| Impossible::new(format!("--seeds takes A..B or A, not {text:?}")))
+    };
+    let (from, to) = match text.split_once("..") {
+        Some((from, to)) => (number(from)?, number(to)?),
+        None => {
+            let only = number(text)?;
+            let past = only.checked_add(1);
+            let past = past.ok_or_else(|| Impossible::new("the seed is too large"))?;
+            (only, past)
+        }
+    };
+    if from >= to {
+        let sentence = format!("--seeds {text} has no seed in it: the last is left out");
+        return Err(Impossible::new(sentence));
+    }
+    if to - from > MOST_SEEDS {
+        let sentence = format!("--seeds {text} has more than {MOST_SEEDS} seeds");
+        return Err(Impossible::new(sentence));
+    }
+    Ok((from..to).collect())
+}
+
+/// A world that can be built for any seed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldOptions {
+    /// Its parameters.
+    pub config: PioneerConfig,
+    /// The places of the specimens, when a file gives them.
+    pub layout: Option<Layout>,
+}
+
+impl WorldOptions {
+    /// Checks the parameters and the layout, and builds the world once to see that it can be.
+    ///
+    /// # Errors
+    /// [`Impossible`] for the first thing that cannot be.
+    pub fn new(args: &WorldArgs) -> Result<Self, Impossible> {
+        let base = match args.world.as_str() {
+            "noisy" => PioneerConfig::NOISY,
+            "noise-free" => PioneerConfig::NOISE_FREE,
+            other => {
+                let sentence = format!("--world is noisy or noise-free, not {other:?}");
+                return Err(Impossible::new(sentence));
+            }
+        };
+        let config = PioneerConfig {
+            radius: args.radius.unwrap_or(base.radius),
+            specimens: args.specimens.unwrap_or(base.specimens),
+            forward: args.forward.unwrap_or(base.forward),
+            drop_out: args.drop_out.unwrap_or(base.drop_out),
+            step_noise: args.step_noise.unwrap_or(base.step_noise),
+            turn_noise: args.turn_noise.unwrap_or(base.turn_noise),
+            after_capture: if args.removed {
+                AfterCapture::Removed
+            } else {
+                base.after_capture
+            },
+            ..base
+        };
+        config.validate().map_err(Impossible::new)?;
+        let layout = match &args.layout {
+            Some(path) => Some(read_layout(path, config.radius)?),
+            None => None,
+        };
+        let options = Self { config, layout };
+        options.build(0)?;
+        Ok(options)
+    }
+
+    /// The world of a seed.
+    ///
+    /// # Errors
+    /// [`Impossible`] when the specimens do not fit the room.
+    pub fn build(&self, seed: u64) -> Result<Pioneer, Impossible> {
+        match &self.layout {
+            Some(layout) => Pioneer::with_layout(self.config, layout, seed),
+            None => Pioneer::new(self.config, seed),
+        }
+        .map_err(Impossible::new)
+    }
+}
+
+fn read_layout(path: &Path, radius: f64) -> Result<Layout, Impossible> {
+    let name = path.display();
+    let text = fs::read_to_string(path)
+        .map_err(|error| Impossible::new(format!("cannot read the layout {name}: {error}")))?;
+    Layout::parse(&text, radius)
+        .map_err(|error| Impossible::new(format!("the layout {name} is wrong: {error}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Impossible, WorldOptions, seeds};
+    use crate::cli::{SeedArgs, WorldArgs};
+
+    fn read(text: &str) -> Result<Vec<u64>, Impossible> {
+        seeds(&SeedArgs {
+            seeds: text.to_owned(),
+        })
+    }
+
+    #[test]
+    fn a_range_of_seeds_leaves_out_its_end() {
+        assert_eq!(read("3..6"), Ok(vec![3, 4, 5]));
+        assert_eq!(read("7"), Ok(vec![7]));
+    }
+
+    #[test]
+    fn what_is_no_range_is_refused_in_one_sentence() {
+        for wrong in [
+            "",
+            "6..6",
+            "6..3",
+            "-1",
+            "1..2..3",
+            "0..100001",
+            "x",
+            "1..",
+            "18446744073709551615",
+        ] {
+            let sentence = read(wrong).unwrap_err().to_string();
+            assert!(!sentence.contains('\n') && !sentence.is_empty(), "{wrong}");
+        }
+    }
+
+    fn noisy() -> WorldArgs {
+        WorldArgs {
+            world: "noisy".to_owned(),
+            radius: None,
+            specimens: None,
+            forward: None,
+            drop_out: None,
+            step_noise: None,
+            turn_noise: None,
+            removed: false,
+            layout: None,
+        }
+    }
+
+    #[test]
+    fn impossible_worlds_are_refused_before_anything_runs() {
+        assert!(WorldOptions::new(&noisy()).is_ok());
+        let spoil: [fn(&mut WorldArgs); 6] = [
+            |w| w.specimens = Some(0),
+            |w| w.drop_out = Some(f64::NAN),
+            |w| w.world = "quiet".to_owned(),
+            |w| w.layout = Some("no/such/file".into()),
+            // 500 specimens of 0.1 m do not fit a room of 1 m.
+            |w| (w.radius, w.specimens) = (Some(1.0), Some(500)),
+            |w| w.step_noise = Some(-1.0),
+        ];
+        for (index, spoil) in spoil.iter().enumerate() {
+            let mut args = noisy();
+            spoil(&mut args);
+            let sentence = WorldOptions::new(&args).unwrap_err().to_string();
+            assert!(!sentence.contains('\n'), "{index}: {sentence}");
+        }
+    }
+}

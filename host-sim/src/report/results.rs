@@ -1,0 +1,69 @@
+//! Everything that an experiment hands over at its end: the record, its pictures, a last word.
+
+use std::path::PathBuf;
+
+use super::figure::Picture;
+use super::output::{Output, OutputError};
+use super::summary::Summary;
+use super::table::{claims_text, table_text};
+
+/// The summary of a run with the figures drawn from it.
+#[derive(Clone, Debug)]
+pub struct Results {
+    /// The record.
+    pub summary: Summary,
+    pictures: Vec<(String, Picture)>,
+}
+
+impl Results {
+    /// Results without pictures yet.
+    #[must_use]
+    pub const fn new(summary: Summary) -> Self {
+        Self {
+            summary,
+            pictures: Vec::new(),
+        }
+    }
+
+    /// Adds a picture, which is written as `name.svg` and `name.png`.
+    #[must_use]
+    pub fn picture(mut self, name: &str, picture: Picture) -> Self {
+        self.pictures.push((name.to_owned(), picture));
+        self
+    }
+
+    /// What the terminal shows: all tables, then the claims.
+    ///
+    /// ```
+    /// use host_sim::report::{Results, Summary, Table};
+    /// let mut summary = Summary::new("forage", &[1]);
+    /// let mut schemas = Table::new(&["schema", "reliability"]);
+    /// schemas.row(["+s3/forward/+ingrip".into(), 0.31.into()]);
+    /// summary.table("schemas", schemas);
+    /// assert!(Results::new(summary).text().contains("+s3/forward/+ingrip"));
+    /// ```
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        for (title, table) in &self.summary.tables {
+            text.push_str(&format!("{title}\n\n{}\n", table_text(table)));
+        }
+        if !self.summary.claims.is_empty() {
+            text.push_str(&claims_text(&self.summary.claims));
+        }
+        text
+    }
+
+    /// Writes the pictures and, last, the summary; returns the paths.
+    ///
+    /// # Errors
+    /// [`OutputError`] for the first file that cannot be written.
+    pub fn write(&self, output: &Output) -> Result<Vec<PathBuf>, OutputError> {
+        let mut paths = Vec::new();
+        for (name, picture) in &self.pictures {
+            paths.push(output.write_picture(name, picture)?);
+        }
+        paths.push(output.write_summary(&self.summary)?);
+        Ok(paths)
+    }
+}
