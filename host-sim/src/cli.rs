@@ -13,14 +13,16 @@ use clap::{Args, Parser, Subcommand};
 #[derive(Clone, Debug, Parser)]
 #[command(name = "host-sim", version, max_term_width = 100)]
 pub struct Cli {
-    /// What to run.
+    /// What to run; without a name, forage with its defaults.
     #[command(subcommand)]
-    pub command: Command,
+    pub command: Option<Command>,
 }
 
 /// One variant an experiment.
 #[derive(Clone, Debug, Subcommand)]
 pub enum Command {
+    /// A Pioneer learns to collect specimens from one valued item (book, 6.2).
+    Forage(ForageArgs),
     /// Compare our Pioneer with the original simulator, Stage 1.3.4 and 4.3.0, on the same layouts.
     Calibrate(CalibrateArgs),
 }
@@ -76,6 +78,26 @@ pub struct WorldArgs {
 /// Arguments of `calibrate`.
 #[derive(Clone, Debug, Args)]
 pub struct CalibrateArgs {
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `forage`.
+#[derive(Clone, Debug, Args)]
+pub struct ForageArgs {
+    /// Which lives.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// Where they are lived.
+    #[command(flatten)]
+    pub world: WorldArgs,
+    /// Actions of training, a multiple of 1000.
+    #[arg(long, value_name = "N", default_value_t = 10_000)]
+    pub actions: u32,
+    /// Actions of a test.
+    #[arg(long, value_name = "N", default_value_t = 3_000)]
+    pub test_actions: u32,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,

@@ -3,7 +3,6 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use clap::error::ErrorKind;
 use host_sim::cli::Cli;
 use host_sim::options::{Failure, Order};
 use host_sim::progress::Progress;
@@ -12,9 +11,6 @@ use host_sim::report::Output;
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            return refuse("no experiment is named; see host-sim --help");
-        }
         Err(error) if error.use_stderr() => return refuse(&one_sentence(&error.to_string())),
         Err(help) => {
             // Help goes to standard output; nothing is left to do when that is closed.

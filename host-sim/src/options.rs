@@ -6,8 +6,12 @@
 use std::path::{Path, PathBuf};
 use std::{error, fmt, fs};
 
-use crate::cli::{CalibrateArgs, Cli, Command, OutArgs, SeedArgs, WorldArgs};
+use cla_core::clasm::AgentConfig;
+use clap::Parser;
+
+use crate::cli::{CalibrateArgs, Cli, Command, ForageArgs, OutArgs, SeedArgs, WorldArgs};
 use crate::experiment::calibrate;
+use crate::experiment::forage::{self, ForageOptions};
 use crate::progress::Progress;
 use crate::report::Results;
 use crate::world::config::{AfterCapture, PioneerConfig};
@@ -43,6 +47,8 @@ pub type Failure = Box<dyn error::Error + Send + Sync>;
 /// An experiment with options that can be run.
 #[derive(Clone, Debug)]
 pub enum Job {
+    /// See [`forage`].
+    Forage(Box<ForageOptions>),
     /// See [`calibrate`].
     Calibrate,
 }
@@ -62,7 +68,16 @@ impl Order {
     /// # Errors
     /// [`Impossible`] for the first thing that cannot be.
     pub fn new(cli: &Cli) -> Result<Self, Impossible> {
-        match &cli.command {
+        let Some(command) = &cli.command else {
+            // What the parser makes of the name alone: every default from one place.
+            let forage = Cli::try_parse_from(["host-sim", "forage"]);
+            return Self::new(&forage.map_err(Impossible::new)?);
+        };
+        match command {
+            Command::Forage(args) => Ok(Self {
+                job: Job::Forage(Box::new(forage_options(args)?)),
+                out: directory(&args.out, "forage"),
+            }),
             Command::Calibrate(CalibrateArgs { out }) => Ok(Self {
                 job: Job::Calibrate,
                 out: directory(out, "calibrate"),
@@ -78,9 +93,36 @@ impl Job {
     /// [`Failure`] when it fails; nothing has been written.
     pub fn run(&self, progress: &Progress) -> Result<Results, Failure> {
         match self {
+            Self::Forage(options) => forage::run(options, progress),
             Self::Calibrate => calibrate::report::run(progress),
         }
     }
+}
+
+fn forage_options(args: &ForageArgs) -> Result<ForageOptions, Impossible> {
+    if args.actions == 0 || !args.actions.is_multiple_of(forage::SNAPSHOT) {
+        return Err(Impossible::new(
+            "--actions must be a multiple of 1000, at least 1000",
+        ));
+    }
+    if args.test_actions == 0 {
+        return Err(Impossible::new("--test-actions must be at least 1"));
+    }
+    if args.world.removed {
+        let sentence = "--removed does not go with forage: it tests both ways of counting";
+        return Err(Impossible::new(sentence));
+    }
+    let options = ForageOptions {
+        seeds: seeds(&args.seeds)?,
+        world: WorldOptions::new(&args.world)?,
+        brain: AgentConfig::FORAGER,
+        actions: args.actions,
+        test_actions: args.test_actions,
+    };
+    for &seed in &options.seeds {
+        options.world.build(seed)?;
+    }
+    Ok(options)
 }
 
 fn directory(args: &OutArgs, experiment: &str) -> PathBuf {

@@ -65,7 +65,8 @@ impl TrainingConfig {
         recruitment: None,
     };
 
-    /// What finds rare events: a neighbourhood that settles early, and recruitment after that.
+    /// What finds rare events: every pattern that no node represents recruits one, from the first
+    /// sample on, so that no node is left half-way between two patterns.
     pub const FORAGER: Self = Self {
         alpha: const { valid(Schedule::decay(0.3, 0.02, 300.0)) },
         sigma: const { valid(Schedule::decay(5.0, 0.0, 80.0)) },

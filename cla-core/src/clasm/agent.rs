@@ -326,14 +326,16 @@ impl<
         Ok(lesson)
     }
 
-    /// Reads the maps into schemas now, and lets the values of items follow.
+    /// Reads the maps into schemas now; the book's rule also gets its values of items.
     ///
     /// Happens by itself every `harvest_every` learned actions; does nothing before birth.
     pub fn harvest(&mut self) {
         let Some(config) = self.config else { return };
         self.knowledge
             .harvest(self.bank.maps(), config.coding, &config.harvest);
-        self.knowledge.defer_values(&config.values);
+        if config.rule == ChoiceRule::Lexicographic {
+            self.knowledge.defer_values(&config.values);
+        }
         self.since_harvest = 0;
     }
 

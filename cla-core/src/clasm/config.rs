@@ -121,7 +121,10 @@ impl AgentConfig {
     pub const FORAGER: Self = Self {
         training: TrainingConfig::FORAGER,
         harvest: HarvestConfig::FORAGER,
+        values: ValueConfig::FORAGER,
         values_per_step: 4,
+        forgetting: 0.005,
+        training_run: 50,
         rule: ChoiceRule::ExpectedValue,
         escape: Some(Escape {
             after: 60,

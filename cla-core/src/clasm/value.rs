@@ -11,6 +11,7 @@ use core::fmt;
 use super::item::{ItemId, ItemStates};
 use super::knowledge::KnowledgeBase;
 use super::reliability::Estimate;
+use super::schema::Schema;
 use super::signed_items::SignedItems;
 
 /// How values spread from results to contexts.
@@ -23,19 +24,33 @@ use super::signed_items::SignedItems;
 pub struct ValueConfig {
     /// Share of a result's value that its context gets, in `[0, 1)` (book: .95).
     pub discount: f32,
-    /// Schemas below this reliability pass no deferred value on, in `[0, 1]`.
-    /// The book has no such bound, but also no schema from a chance meeting.
+    /// A context must make an item come at least this often for the item's value to reach it, in
+    /// `[0, 1]`; 0 lets every schema pass value on, as the book says.
     pub chain_reliability: f32,
+    /// And this many times as often as the action does on average; 0 asks nothing.
+    ///
+    /// A robot among many specimens sees each schema succeed by chance now and then.
+    /// What Drescher calls relevance tells a way from an accident (book, 5.1.1).
+    pub chain_relevance: f32,
     /// Which reliability counts.
     pub estimate: Estimate,
 }
 
 impl ValueConfig {
-    /// The book's share, over the schemas that work at least one time in twenty.
+    /// The book's: every schema passes 95 % on, reliabilities are plain shares.
     pub const BOOK: Self = Self {
         discount: 0.95,
-        chain_reliability: 0.05,
+        chain_reliability: 0.0,
+        chain_relevance: 0.0,
         estimate: Estimate::Plain,
+    };
+
+    /// Value passes where it is no accident, and reliabilities follow the robot's present ways.
+    pub const FORAGER: Self = Self {
+        chain_reliability: 0.02,
+        chain_relevance: 1.5,
+        estimate: Estimate::Recent,
+        ..Self::BOOK
     };
 }
 
@@ -139,9 +154,10 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         total
     }
 
-    /// Spreads values backwards through the reliable schemas until nothing changes (book, 6.2.2).
+    /// Spreads values backwards through the schemas until nothing changes (book, 6.2.2).
     ///
-    /// At most one pass an item: a chain visits each item once.
+    /// At most one pass an item, because a chain visits each item once; each pass compares schemas
+    /// in pairs, so this is for harvest time and reports, not for every control step.
     pub fn defer_values(&mut self, config: &ValueConfig) {
         self.deferred = [[0.0; 32]; WORDS];
         for _ in 0..WORDS * 32 {
@@ -157,26 +173,68 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             let Some(schema) = self.schemas.get(index).copied() else {
                 continue;
             };
-            if schema.reliability.value(config.estimate) < config.chain_reliability {
-                continue;
-            }
             let (Some(context), Some(result)) =
                 (self.pattern(schema.context), self.pattern(schema.result))
             else {
                 continue;
             };
-            let value = config.discount * self.largest_value(&result);
-            for item in context.positive().iter() {
-                let slots = self.deferred.as_flattened_mut();
-                if let Some(slot) = slots.get_mut(usize::from(item.0))
-                    && value > *slot
-                {
-                    *slot = value;
-                    changed = true;
+            for item in result.positive().iter() {
+                let value = config.discount * self.deferred_value(item);
+                let gains = |other: ItemId| value > self.deferred_value(other);
+                if context.positive().iter().any(gains) && self.leads_to(&schema, item, config) {
+                    for other in context.positive().iter() {
+                        changed |= self.raise(other, value);
+                    }
                 }
             }
         }
         changed
+    }
+
+    /// Whether a schema's context and action bring the item often enough to be no accident.
+    fn leads_to(&self, schema: &Schema, item: ItemId, config: &ValueConfig) -> bool {
+        let (mut here, mut all_here) = (0_u32, 0_u32);
+        let (mut anywhere, mut all_anywhere) = (0_u32, 0_u32);
+        for other in self
+            .schemas
+            .iter()
+            .filter(|other| other.action == schema.action)
+        {
+            let successes = other.reliability.successes();
+            let result = self.pattern(other.result);
+            let brings = result.is_some_and(|result| result.positive().contains(item));
+            let brought = if brings { successes } else { 0 };
+            anywhere = anywhere.saturating_add(brought);
+            all_anywhere = all_anywhere.saturating_add(successes);
+            if other.context == schema.context {
+                here = here.saturating_add(brought);
+                all_here = all_here.saturating_add(successes);
+            }
+        }
+        let share = |part: u32, whole: u32| {
+            if whole == 0 {
+                0.0
+            } else {
+                part as f32 / whole as f32
+            }
+        };
+        let p = share(here, all_here);
+        p >= config.chain_reliability && p >= config.chain_relevance * share(anywhere, all_anywhere)
+    }
+
+    /// Raises a deferred value; whether that changed it.
+    fn raise(&mut self, item: ItemId, value: f32) -> bool {
+        match self
+            .deferred
+            .as_flattened_mut()
+            .get_mut(usize::from(item.0))
+        {
+            Some(slot) if value > *slot => {
+                *slot = value;
+                true
+            }
+            _ => false,
+        }
     }
 
     /// Brings the expected value of the next `count` patterns up to date, in turn.

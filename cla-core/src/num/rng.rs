@@ -69,6 +69,11 @@ impl Rng {
         result
     }
 
+    /// 64 random bits, to seed another generator with.
+    pub fn next_seed(&mut self) -> u64 {
+        u64::from(self.next_u32()) << 32 | u64::from(self.next_u32())
+    }
+
     /// A uniform number in `[0, 1)` with 24 random bits.
     pub fn unit(&mut self) -> f32 {
         (self.next_u32() >> 8) as f32 * (1.0 / 16_777_216.0)

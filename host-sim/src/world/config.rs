@@ -28,7 +28,9 @@ pub struct PioneerConfig {
     ///
     /// Book: 0.5 in 6.2.1, 0.1 in Table 6.1; only 0.5 fits the printed reliabilities.
     pub forward: f64,
-    /// Distance of the action `backward`, metres; 0.02 to 2, default 0.1.
+    /// Distance of the action `backward`, metres; 0.02 to 2, default 0.5 (book, 6.2.1).
+    ///
+    /// The Stage runs back 0.1.
     pub backward: f64,
     /// Angle of `turnl` and `turnr`, degrees; above 0 to 180, default 5 (book, 6.2.1).
     pub turn: f64,
@@ -79,7 +81,7 @@ impl PioneerConfig {
         radius: 5.0,
         specimens: 28,
         forward: 0.5,
-        backward: 0.1,
+        backward: 0.5,
         turn: 5.0,
         camera_offset: 0.0,
         camera_range: 8.0,
@@ -103,6 +105,7 @@ impl PioneerConfig {
         Self {
             radius,
             forward,
+            backward: 0.1,
             after_capture: AfterCapture::Removed,
             ..Self::NOISE_FREE
         }

@@ -1,4 +1,58 @@
-//! Foraging (book, 6.2).
+//! Foraging: a Pioneer learns to collect specimens from one valued item (book, 6.2).
+//!
+//! `life` is the loop of brain and world, `trial` one seed of the experiment, `measure` what a
+//! knowledge base says about the book's schemas, `claims` what is concluded from all seeds.
 
+mod claims;
 pub mod life;
 pub mod measure;
+pub mod trial;
+
+use cla_core::clasm::AgentConfig;
+
+use crate::options::{Failure, WorldOptions};
+use crate::progress::Progress;
+use crate::report::Results;
+
+/// Actions of training between two tests (book, 6.2.4).
+pub const SNAPSHOT: u32 = 1000;
+
+/// Number in the book, text, printed reliability with its deviation; all generated in every run.
+pub const BOOK_SCHEMAS: [(&str, &str, Option<(f64, f64)>); 8] = [
+    ("6_1", "+s1/turnl/+s2", Some((0.286, 0.012))),
+    ("6_2", "+s3/forward/+s3", Some((0.351, 0.012))),
+    ("6_3", "+s3/forward/+s3+ingrip", None),
+    ("6_5", "+s1/turnl/+s1", None),
+    ("6_7", "/turnr/+s5", Some((0.082, 0.012))),
+    ("6_8", "/turnl/+s1", Some((0.091, 0.014))),
+    ("6_11", "+s3/forward/+s2", Some((0.113, 0.020))),
+    ("6_12", "+s2/turnl/+s3", Some((0.26, 0.011))),
+];
+
+/// What is varied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForageOptions {
+    /// The seeds.
+    pub seeds: Vec<u64>,
+    /// The world of training and tests.
+    pub world: WorldOptions,
+    /// The learner.
+    pub brain: AgentConfig,
+    /// Actions of training, a multiple of 1000 (book: 10,000).
+    pub actions: u32,
+    /// Actions of a test (book: 3000).
+    pub test_actions: u32,
+}
+
+/// Runs all seeds, judges the claims and draws the figures.
+///
+/// # Errors
+/// [`Failure`] when a world cannot be built for one of the seeds or a figure cannot be drawn.
+pub fn run(options: &ForageOptions, progress: &Progress) -> Result<Results, Failure> {
+    let job = |&seed: &u64, ticker: &_| trial::run(options, seed, ticker);
+    let trials = progress
+        .over("foraging", &options.seeds, trial::work(options), job)
+        .into_iter()
+        .collect::<Result<Vec<_>, _>>()?;
+    claims::results(options, &trials)
+}

@@ -1,0 +1,274 @@
+//! One seed of the foraging experiment: a brain's childhood, its tests on the way, its rivals.
+//!
+//! Measures only; what the numbers mean is said in `claims`.
+
+use cla_core::clasm::{
+    Adaptation, AgentConfig, ChoiceRule, Detail, Estimate, ItemId, SchemaId, SchemaText,
+    ValueConfig,
+};
+use cla_core::forager::pioneer::{self, Brain, Item, VOCABULARY};
+use cla_core::num::Rng;
+
+use super::life::live;
+use super::measure::{Record, promises, record_of};
+use super::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
+use crate::baseline::random::Random;
+use crate::baseline::sector::Sector;
+use crate::baseline::{self, Controller};
+use crate::options::{Failure, WorldOptions};
+use crate::progress::Ticker;
+use crate::world::World;
+use crate::world::config::{AfterCapture, PioneerConfig};
+use crate::world::pioneer::Pioneer;
+
+/// Captures of one controller in a test, both ways of counting.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Captures {
+    /// With specimens that reappear elsewhere.
+    pub replaced: u32,
+    /// With specimens that are gone: of 28.
+    pub removed: u32,
+}
+
+/// A schema of the first brain, for the table of what was learned.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// In the book's notation, positive items only.
+    pub text: String,
+    /// Successes / activations.
+    pub reliability: f64,
+    /// Trials.
+    pub activations: u32,
+}
+
+/// Everything measured for one seed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trial {
+    /// Tests of the knowledge after 0, 1000, 2000 … actions of training.
+    pub snapshots: Vec<Captures>,
+    /// Actions of training when the first schema promised `ingrip`; `None` when none did.
+    pub first_ingrip: Option<u32>,
+    /// Captures while training.
+    pub training_captures: u32,
+    /// A brain that learned and chose by the book's rule.
+    pub lexicographic: Captures,
+    /// Random actions.
+    pub random: Captures,
+    /// The Stage controller, which sees every sector that holds a blob.
+    pub sector: Captures,
+    /// The same controller on the learner's percept: the nearest blob only.
+    pub sector_nearest: Captures,
+    /// The learner and the Stage controller in the noise-free twin of the world.
+    pub noise_free: Captures,
+    /// As `noise_free`, for the Stage controller.
+    pub noise_free_sector: Captures,
+    /// Deferred values of s1 to s5 after training.
+    pub deferred: [f64; 5],
+    /// What the trained brain knows of each of [`BOOK_SCHEMAS`].
+    pub records: Vec<Record>,
+    /// Mean reliability of all schemas that have been tried.
+    pub mean_reliability: f64,
+    /// Reliability of each schema.
+    pub reliabilities: Vec<f64>,
+    /// The schemas, the most tried first.
+    pub found: Vec<Found>,
+}
+
+/// How many actions one seed takes, for the progress bar.
+#[must_use]
+pub fn work(options: &ForageOptions) -> u64 {
+    let tests = u64::from(options.actions / SNAPSHOT + 1) + 6;
+    u64::from(options.actions) * 3 + tests * 2 * u64::from(options.test_actions)
+}
+
+/// Runs one seed.
+///
+/// # Errors
+/// [`Failure`] when a world cannot be built or the brain's configuration cannot work.
+pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial, Failure> {
+    let bench = Bench {
+        options,
+        seed,
+        ticker,
+    };
+    let mut brain = born(options.brain, seed)?;
+    let mut world = options.world.build(seed)?;
+    let mut snapshots = vec![bench.test(&brain, &options.world)?];
+    let (mut first_ingrip, mut training_captures, mut done) = (None, 0, 0);
+    while done < options.actions {
+        let chunk = options.brain.harvest_every.min(options.actions - done);
+        let tally = live(&mut brain, &mut world, chunk)?;
+        ticker.advance(u64::from(chunk));
+        training_captures += tally.captures;
+        done += chunk;
+        if first_ingrip.is_none() && promises(brain.knowledge(), Item::ingrip.id()) {
+            first_ingrip = Some(done);
+        }
+        if done % SNAPSHOT == 0 {
+            snapshots.push(bench.test(&brain, &options.world)?);
+        }
+    }
+    brain.harvest();
+    brain.knowledge_mut().defer_values(&options.brain.values);
+    let knowledge = brain.knowledge();
+    let records = BOOK_SCHEMAS
+        .iter()
+        .map(|(_, text, ..)| Ok(record_of(knowledge, &SchemaText::parse(text, &VOCABULARY)?)))
+        .collect::<Result<Vec<Record>, Failure>>()?;
+    let book = AgentConfig {
+        rule: ChoiceRule::Lexicographic,
+        values: ValueConfig::BOOK,
+        ..options.brain
+    };
+    let quiet = WorldOptions {
+        config: PioneerConfig {
+            drop_out: 0.0,
+            step_noise: 0.0,
+            turn_noise: 0.0,
+            ..options.world.config
+        },
+        layout: options.world.layout.clone(),
+    };
+    let forward = options.world.config.forward;
+    let by_the_book = bench.trained(book, &options.world)?;
+    let in_the_quiet = bench.trained(options.brain, &quiet)?;
+    Ok(Trial {
+        snapshots,
+        first_ingrip,
+        training_captures,
+        lexicographic: bench.test(&by_the_book, &options.world)?,
+        random: bench.rival(
+            &mut Random { actions: 6 },
+            <Pioneer as World>::sense,
+            &options.world,
+        )?,
+        sector: bench.rival(
+            &mut Sector::new(forward),
+            Pioneer::sense_all_sectors,
+            &options.world,
+        )?,
+        sector_nearest: bench.rival(
+            &mut Sector::new(forward),
+            <Pioneer as World>::sense,
+            &options.world,
+        )?,
+        noise_free: bench.test(&in_the_quiet, &quiet)?,
+        noise_free_sector: bench.rival(
+            &mut Sector::new(forward),
+            Pioneer::sense_all_sectors,
+            &quiet,
+        )?,
+        deferred: core::array::from_fn(|i| f64::from(knowledge.deferred_value(ItemId(i as u16)))),
+        records,
+        mean_reliability: f64::from(knowledge.mean_reliability(Estimate::Plain)),
+        reliabilities: knowledge
+            .schemas()
+            .iter()
+            .map(|schema| f64::from(schema.reliability.value(Estimate::Plain)))
+            .collect(),
+        found: found(&brain),
+    })
+}
+
+fn born(config: AgentConfig, seed: u64) -> Result<Box<Brain>, Failure> {
+    let mut brain = Box::new(pioneer::brain());
+    pioneer::be_born(&mut brain, config, seed)?;
+    Ok(brain)
+}
+
+fn found(brain: &Brain) -> Vec<Found> {
+    let knowledge = brain.knowledge();
+    let mut found: Vec<Found> = (0..knowledge.schemas().len())
+        .filter_map(|index| {
+            let schema = knowledge.schemas().get(index)?;
+            let text = knowledge.text(SchemaId(index as u16))?;
+            Some(Found {
+                text: text.display(&VOCABULARY, Detail::Abbreviated).to_string(),
+                reliability: f64::from(schema.reliability.value(Estimate::Plain)),
+                activations: schema.reliability.activations(),
+            })
+        })
+        .collect();
+    found.sort_by(|a, b| {
+        b.activations
+            .cmp(&a.activations)
+            .then_with(|| a.text.cmp(&b.text))
+    });
+    found
+}
+
+/// What every test of one seed shares.
+struct Bench<'a> {
+    options: &'a ForageOptions,
+    seed: u64,
+    ticker: &'a Ticker,
+}
+
+impl Bench<'_> {
+    /// A world that nobody has lived in; each way of counting has its own.
+    fn fresh(&self, world: &WorldOptions, after_capture: AfterCapture) -> Result<Pioneer, Failure> {
+        let config = PioneerConfig {
+            after_capture,
+            ..world.config
+        };
+        let other = WorldOptions {
+            config,
+            layout: world.layout.clone(),
+        };
+        let stream = match after_capture {
+            AfterCapture::Replaced => 1,
+            AfterCapture::Removed => 2,
+        };
+        // Far from every seed that a person names, so that no test repeats a training world.
+        Ok(other.build(Rng::stream(self.seed, stream).next_seed())?)
+    }
+
+    /// Tests a copy of a brain: greedy, with reliabilities that go on adapting.
+    fn test(&self, brain: &Brain, world: &WorldOptions) -> Result<Captures, Failure> {
+        let count = |after_capture| -> Result<u32, Failure> {
+            let mut copy = Box::new(brain.clone());
+            copy.act(Adaptation::Reliabilities)?;
+            let mut world = self.fresh(world, after_capture)?;
+            let tally = live(&mut copy, &mut world, self.options.test_actions)?;
+            self.ticker.advance(u64::from(self.options.test_actions));
+            Ok(tally.captures)
+        };
+        Ok(Captures {
+            replaced: count(AfterCapture::Replaced)?,
+            removed: count(AfterCapture::Removed)?,
+        })
+    }
+
+    /// A brain with a whole childhood under another configuration or in another world.
+    fn trained(&self, config: AgentConfig, world: &WorldOptions) -> Result<Box<Brain>, Failure> {
+        let mut brain = born(config, self.seed)?;
+        live(
+            &mut brain,
+            &mut world.build(self.seed)?,
+            self.options.actions,
+        )?;
+        self.ticker.advance(u64::from(self.options.actions));
+        Ok(brain)
+    }
+
+    /// Tests a controller that does not learn.
+    fn rival(
+        &self,
+        controller: &mut dyn Controller,
+        sense: impl Fn(&Pioneer) -> crate::world::Percept,
+        world: &WorldOptions,
+    ) -> Result<Captures, Failure> {
+        let mut count = |after_capture| -> Result<u32, Failure> {
+            let mut world = self.fresh(world, after_capture)?;
+            let mut rng = Rng::stream(self.seed, 3);
+            let actions = self.options.test_actions;
+            let captures = baseline::live(&mut world, &sense, controller, &mut rng, actions);
+            self.ticker.advance(u64::from(actions));
+            Ok(captures)
+        };
+        Ok(Captures {
+            replaced: count(AfterCapture::Replaced)?,
+            removed: count(AfterCapture::Removed)?,
+        })
+    }
+}
