@@ -74,7 +74,7 @@ impl TrainingConfig {
         result_weight: 1.0,
         recruitment: Some(Recruitment {
             vigilance: 0.25,
-            after: 100,
+            after: 0,
         }),
     };
 }
