@@ -82,5 +82,6 @@ extern crate std;
 
 pub mod clasm;
 pub mod forager;
+pub mod layer;
 pub mod num;
 pub mod som;

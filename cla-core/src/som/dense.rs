@@ -103,8 +103,14 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         distances: &mut Grid<f32, WIDTH, HEIGHT>,
     ) -> Result<(), StimulusError> {
         check(stimulus)?;
-        let nodes = self.prototypes.as_slice().iter();
-        for (distance, prototype) in distances.as_mut_slice().iter_mut().zip(nodes) {
+        // Four nodes at a time: the sums of one node wait for each other, those of four do not.
+        // Each node's own sum is the same, in the same order.
+        let (fours, rest) = self.prototypes.as_slice().as_chunks::<4>();
+        let (far_fours, far_rest) = distances.as_mut_slice().as_chunks_mut::<4>();
+        for (distance, prototypes) in far_fours.iter_mut().zip(fours) {
+            *distance = four_squared_distances(stimulus, prototypes);
+        }
+        for (distance, prototype) in far_rest.iter_mut().zip(rest) {
             *distance = squared_distance(stimulus, prototype);
         }
         Ok(())
@@ -172,6 +178,20 @@ fn check(stimulus: &[f32]) -> Result<(), StimulusError> {
     }
 }
 
+fn four_squared_distances<const FEATURES: usize>(
+    stimulus: &[f32; FEATURES],
+    [a, b, c, d]: &[[f32; FEATURES]; 4],
+) -> [f32; 4] {
+    let mut totals = [0.0; 4];
+    for ((((&value, a), b), c), d) in stimulus.iter().zip(a).zip(b).zip(c).zip(d) {
+        for (total, weight) in totals.iter_mut().zip([a, b, c, d]) {
+            let difference = value - weight;
+            *total += difference * difference;
+        }
+    }
+    totals
+}
+
 fn squared_distance(stimulus: &[f32], prototype: &[f32]) -> f32 {
     let mut total = 0.0;
     for (&value, &weight) in stimulus.iter().zip(prototype) {
@@ -209,6 +229,20 @@ mod tests {
                 let dy = (index / 4).abs_diff(usize::from(winner) / 4);
                 assert_eq!(weight[0], near.weight(dx, dy));
             }
+        }
+    }
+
+    #[test]
+    fn every_node_has_the_distance_that_it_has_alone_to_the_bit() {
+        let mut som = DenseSom::<3, 3, 7>::new();
+        let mut rng = Rng::new(6);
+        som.randomize(&mut rng);
+        let stimulus: [f32; 7] = core::array::from_fn(|_| rng.unit());
+        let mut distances = crate::som::Grid::filled(0.0);
+        som.squared_distances(&stimulus, &mut distances).unwrap();
+        let nodes = som.prototypes().as_slice();
+        for (node, &distance) in nodes.iter().zip(distances.as_slice()) {
+            assert_eq!(distance.to_bits(), super::squared_distance(&stimulus, node).to_bits());
         }
     }
 
