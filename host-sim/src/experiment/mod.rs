@@ -1,4 +1,5 @@
 //! The book's experiments, one module each: what is run, what is claimed.
 
 pub mod calibrate;
+pub mod causal;
 pub mod forage;

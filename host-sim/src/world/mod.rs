@@ -7,6 +7,7 @@ pub mod config;
 pub mod geometry;
 pub mod layout;
 pub mod pioneer;
+pub mod launching;
 
 use cla_core::clasm::ItemStates;
 
