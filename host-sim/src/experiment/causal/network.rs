@@ -46,6 +46,8 @@ pub struct CausalConfig {
     pub record_from: f32,
     /// The distance detector of each layer.
     pub detectors: PerLayer<MatchDistanceConfig>,
+    /// The slack of each layer's table of transitions, in nodes; the Position layer has no table.
+    pub order_slack: PerLayer<u8>,
 }
 
 /// When the levels train.
@@ -78,9 +80,9 @@ pub struct Watch {
     /// Distances of the Top layer.
     pub top: MatchDistance<8, 8>,
     /// Successive winners of the Movement layer.
-    pub movement_order: Transitions<36, 2>,
+    pub movement_order: Transitions<6, 6, 2>,
     /// Successive winners of the Top layer.
-    pub top_order: Transitions<64, 2>,
+    pub top_order: Transitions<8, 8, 2>,
     /// The book's minimum of each layer.
     pub totals: PerLayer<TotalActivation>,
 }
@@ -102,6 +104,7 @@ impl CausalConfig {
             training: Training::Joint,
             record_from: 0.7,
             detectors: [detector(3.0), detector(3.0), detector(1.5)],
+            order_slack: [0, 0, 1],
         }
     }
 
@@ -144,6 +147,8 @@ impl Causal {
         watch.position.configure(&config.detectors[0]);
         watch.movement.configure(&config.detectors[1]);
         watch.top.configure(&config.detectors[2]);
+        watch.movement_order.set_slack(config.order_slack[1]);
+        watch.top_order.set_slack(config.order_slack[2]);
         Self {
             perception,
             watch,
