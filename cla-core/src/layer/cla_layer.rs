@@ -13,6 +13,9 @@ use super::signal::{Signal, write_slice};
 use crate::num::{Neighbourhood, Rng, Schedule, exp};
 use crate::som::{BestMatch, DenseSom, Grid, NodeId, StimulusError, best_match};
 
+/// An activation below this is 0, as a weight of the layer above would be.
+const SILENCE: f32 = 1e-18;
+
 /// How a [`Layer`] answers and learns.
 ///
 /// ```
@@ -152,7 +155,8 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         self.neighbourhood = config.neighbourhood;
     }
 
-    /// Reads `stimulus` and activates every node: a = exp(−‖x − m‖² / 2σ_a²) (book, 3.1).
+    /// Reads `stimulus` and activates every node: a = exp(−‖x − m‖² / 2σ_a²) (book, 3.1); an
+    /// activation below 10⁻¹⁸ is 0.
     ///
     /// A `stimulus` with another number of values than `FEATURES` does not compile (`cargo build`
     /// tells, `cargo check` does not).
@@ -172,7 +176,12 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
             .squared_distances(&self.stimulus, &mut self.activation)?;
         self.best_match = best_match(&self.activation);
         for value in self.activation.as_mut_slice() {
-            *value = exp(-(*value * self.sharpness));
+            let activation = exp(-(*value * self.sharpness));
+            *value = if activation < SILENCE {
+                0.0
+            } else {
+                activation
+            };
         }
         Ok(())
     }

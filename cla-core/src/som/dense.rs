@@ -34,6 +34,13 @@ pub struct DenseSom<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usi
     prototypes: Grid<[f32; FEATURES], WIDTH, HEIGHT>,
 }
 
+/// A weight nearer to 0 than this becomes 0.
+///
+/// The weights of features that are off shrink by a factor at every step, and numbers near the
+/// smallest that `f32` can hold are up to a hundred times slower on a host.
+/// The square of this one is still a normal number.
+const NEGLIGIBLE: f32 = 1e-18;
+
 /// A stimulus that no map can be shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StimulusError {
@@ -131,6 +138,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
 
     /// Moves the prototypes around `winner` towards `stimulus`: m ← m + α·h·(x − m).
     ///
+    /// A weight that comes nearer to 0 than 10⁻¹⁸ becomes 0.
     /// `alpha` lies in `[0, 1]`; the stimulus is one that [`squared_distances`](Self::squared_distances)
     /// accepted.
     /// A winner outside the map changes nothing.
@@ -154,7 +162,8 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
             for (x, prototype) in nodes.iter_mut().enumerate().skip(left).take(width) {
                 let rate = alpha * neighbourhood.weight(x.abs_diff(column), y.abs_diff(row));
                 for (weight, &value) in prototype.iter_mut().zip(stimulus) {
-                    *weight += rate * (value - *weight);
+                    let moved = *weight + rate * (value - *weight);
+                    *weight = if moved.abs() < NEGLIGIBLE { 0.0 } else { moved };
                 }
             }
         }
@@ -242,7 +251,10 @@ mod tests {
         som.squared_distances(&stimulus, &mut distances).unwrap();
         let nodes = som.prototypes().as_slice();
         for (node, &distance) in nodes.iter().zip(distances.as_slice()) {
-            assert_eq!(distance.to_bits(), super::squared_distance(&stimulus, node).to_bits());
+            assert_eq!(
+                distance.to_bits(),
+                super::squared_distance(&stimulus, node).to_bits()
+            );
         }
     }
 
@@ -251,6 +263,18 @@ mod tests {
         let som = DenseSom::<2, 2, 3>::new();
         let refused = som.best_matching_unit(&[0.0, f32::NAN, f32::INFINITY]);
         assert_eq!(refused, Err(StimulusError::NotFinite { feature: 1 }));
+    }
+
+    #[test]
+    fn a_weight_that_shrinks_ends_at_zero_and_not_among_the_slow_numbers() {
+        let mut som = DenseSom::<1, 1, 1>::new();
+        som.prototypes_mut().as_mut_slice()[0] = [1.0];
+        for _ in 0..59 {
+            som.train(&[0.0], NodeId(0), 0.5, &Neighbourhood::winner_only());
+        }
+        assert_eq!(som.prototypes().as_slice()[0], [2.0_f32.powi(-59)]);
+        som.train(&[0.0], NodeId(0), 0.5, &Neighbourhood::winner_only());
+        assert_eq!(som.prototypes().as_slice()[0], [0.0]);
     }
 
     #[test]
