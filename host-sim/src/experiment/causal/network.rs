@@ -100,7 +100,7 @@ impl CausalConfig {
             events: 6500,
             alpha: (0.5, 0.04),
             final_neighbourhood: [0.9, 0.72, 0.71],
-            activation_width: [0.3, 0.65, 0.47],
+            activation_width: [0.22, 0.65, 0.43],
             training: Training::Joint,
             record_from: 0.7,
             detectors: [detector(3.0), detector(3.0), detector(1.5)],
@@ -244,6 +244,8 @@ pub struct View {
     pub total: PerLayer<f32>,
     /// The largest strain of the tables of transitions; the Position layer has none.
     pub order: PerLayer<f32>,
+    /// The largest squared distance of the Top layer's best match.
+    pub farthest: f32,
     /// Steps of the event.
     pub steps: u32,
 }
@@ -276,6 +278,7 @@ impl View {
         let top = watch.top_order.strain(&responses[2]);
         self.order[1] = self.order[1].max(movement);
         self.order[2] = self.order[2].max(top);
+        self.farthest = self.farthest.max(responses[2].best_match.squared_distance);
         self.steps += 1;
     }
 }
