@@ -88,6 +88,14 @@ impl MatchDistanceConfig {
     }
 }
 
+impl MatchDistanceConfig {
+    /// How many times what is normal a squared distance may be.
+    #[must_use]
+    pub const fn limit(&self) -> f32 {
+        self.limit
+    }
+}
+
 impl Default for MatchDistanceConfig {
     fn default() -> Self {
         Self::STANDARD
