@@ -5,9 +5,9 @@ pub mod body;
 pub mod camera;
 pub mod config;
 pub mod geometry;
+pub mod launching;
 pub mod layout;
 pub mod pioneer;
-pub mod launching;
 
 use cla_core::clasm::ItemStates;
 

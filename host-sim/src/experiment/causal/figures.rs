@@ -85,19 +85,23 @@ fn largest<'a>(views: impl IntoIterator<Item = &'a View>) -> [f32; 3] {
         })
 }
 
+/// A still event holds its nodes for steps on end; the root keeps the others visible beside them.
 fn level_1(result: &SeedResult) -> Result<Picture, FigureError> {
     let largest = largest(&result.trained.views);
     let mut maps: [Vec<HeatMap>; 3] = Default::default();
     for event in Event::ALL {
-        let [position, movement, _] =
-            maps_of(result.trained.view(event), &event.to_string(), largest);
-        maps[0].push(position);
-        maps[1].push(movement);
+        let of_event = maps_of(result.trained.view(event), &event.to_string(), largest);
+        for (row, mut map) in maps.iter_mut().zip(of_event) {
+            map.values
+                .iter_mut()
+                .for_each(|value| *value = value.sqrt());
+            row.push(map);
+        }
     }
     let [position, movement, _] = maps;
     let both: Vec<HeatMap> = position.into_iter().chain(movement).collect();
     let title = format!(
-        "Level 1: activation composites, share of the largest (seed {})",
+        "Level 1: activation composites, root of the share of the largest (seed {})",
         result.seed
     );
     heat_maps(&title, 4, &both, Some((0.0, 1.0)))
@@ -177,7 +181,7 @@ fn stages(result: &SeedResult) -> Result<Picture, FigureError> {
         }
     }
     let title = format!(
-        "The Direct event during training, after so many events (seed {})",
+        "The Direct event after so many training events; 1 is the final largest (seed {})",
         result.seed
     );
     heat_maps(&title, MOMENTS.len(), &maps, Some((0.0, 1.0)))

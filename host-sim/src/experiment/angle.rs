@@ -1,0 +1,131 @@
+//! The angle study of Cohen and Younger (1984), with the layers of the causal study (book, 2.1.2).
+//!
+//! Two line segments are seen as two orientations and the direction from one midpoint to the other;
+//! three maps read them and a Top layer reads the maps.
+//! Young networks know only the habituation stimulus; old ones have seen angles of 45° before.
+//! The response to a test stimulus is its novelty at the Top layer, which stands for looking time.
+//! The book describes the infants and the principle and has no such model: all of it is our
+//! extension, to show that the layers serve a second domain.
+
+mod claims;
+mod network;
+mod stimulus;
+
+pub use network::AngleConfig;
+pub use stimulus::{AngleStimulus, MIDPOINT_CHANNELS, ORIENTATION_CHANNELS};
+
+use cla_core::num::Rng;
+use rayon::prelude::*;
+
+use crate::report::Summary;
+use crate::report::figure::{FigureError, Picture};
+use network::{Full, Network, OrientationOnly};
+
+/// The novelty of the three stimuli of Fig 2.1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Looking {
+    /// The 45° angle of habituation.
+    pub habituated: f64,
+    /// Test A: 45°, rotated, with new orientations of its lines.
+    pub rotated: f64,
+    /// Test B: 135°, with the orientations of habituation.
+    pub opened: f64,
+}
+
+/// What one network answers, at both of its levels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Responses {
+    /// Novelty at the Top layer: the network's response.
+    pub top: Looking,
+    /// Novelty summed over the maps of Level 1.
+    pub level_1: Looking,
+}
+
+/// Everything that was measured with one seed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeedResult {
+    /// The seed.
+    pub seed: u64,
+    /// Habituated only.
+    pub young: Responses,
+    /// Trained on angles, then habituated.
+    pub old: Responses,
+    /// As old, but test A's place in the circle was left out of training.
+    pub held_out: Responses,
+    /// As old, but without the direction between the midpoints.
+    pub orientation_only: Responses,
+}
+
+/// The results of all seeds.
+#[derive(Clone, Debug)]
+pub struct Study {
+    config: AngleConfig,
+    results: Vec<SeedResult>,
+}
+
+/// Runs the study for each seed, on all cores; `done` is called after each.
+#[must_use]
+pub fn run(seeds: &[u64], config: &AngleConfig, done: impl Fn() + Sync) -> Study {
+    let results = seeds
+        .par_iter()
+        .map(|&seed| {
+            let result = run_seed(seed, config);
+            done();
+            result
+        })
+        .collect();
+    Study {
+        config: *config,
+        results,
+    }
+}
+
+/// Runs the study for one seed.
+#[must_use]
+pub fn run_seed(seed: u64, config: &AngleConfig) -> SeedResult {
+    let direction = config.draw_direction(&mut Rng::stream(seed, 1));
+    let habituation = AngleStimulus {
+        direction,
+        angle: 45.0,
+    };
+    // Test A is turned so that none of its lines has an orientation of the habituation stimulus.
+    let turn = config.step() * (config.turn / config.step()).round();
+    let rotated = AngleStimulus {
+        direction: direction + turn,
+        angle: 45.0,
+    };
+    let tests = [habituation, rotated, habituation.opened()];
+    let held_out = |direction: f32| {
+        let away = (direction - rotated.direction).rem_euclid(360.0);
+        away.min(360.0 - away) > 0.5 * config.step()
+    };
+    SeedResult {
+        seed,
+        young: Full::young(config, seed, &tests),
+        old: Full::old(config, seed, &tests, |_| true),
+        held_out: Full::old(config, seed, &tests, held_out),
+        orientation_only: OrientationOnly::old(config, seed, &tests, |_| true),
+    }
+}
+
+impl Study {
+    /// What was measured with each seed.
+    #[must_use]
+    pub fn results(&self) -> &[SeedResult] {
+        &self.results
+    }
+
+    /// Claims, tables and parameters.
+    #[must_use]
+    pub fn summary(&self) -> Summary {
+        claims::summary(&self.config, &self.results)
+    }
+
+    /// The figures by file name.
+    ///
+    /// # Errors
+    /// [`FigureError`] when there is no seed to draw.
+    pub fn figures(&self) -> Result<Vec<(&'static str, Picture)>, FigureError> {
+        claims::figures(&self.results)
+    }
+}
