@@ -21,7 +21,7 @@ use crate::report::Summary;
 use crate::report::figure::{FigureError, Picture};
 use network::{Full, Network, OrientationOnly};
 
-/// The novelty of the three stimuli of Fig 2.1.
+/// What is answered to the three stimuli of Fig 2.1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Looking {
     /// The 45° angle of habituation.
@@ -37,7 +37,7 @@ pub struct Looking {
 pub struct Responses {
     /// Novelty at the Top layer: the network's response.
     pub top: Looking,
-    /// Novelty summed over the maps of Level 1.
+    /// How far the activations of Level 1 are from those of the habituation stimulus, Σ |a − b|.
     pub level_1: Looking,
 }
 

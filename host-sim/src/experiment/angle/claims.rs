@@ -50,7 +50,7 @@ pub(super) fn summary(config: &AngleConfig, results: &[SeedResult]) -> Summary {
     for claim in claims(results) {
         summary.claim(claim);
     }
-    summary.table("novelty by network and stimulus", table(results));
+    summary.table("novelty at the Top, change at Level 1", table(results));
     summary
 }
 
@@ -120,11 +120,11 @@ fn claims(results: &[SeedResult]) -> [Claim; 6] {
         Expectation::new(
             "angle.level1",
             "2.1.3",
-            "seeds in which A is more novel than B at Level 1",
+            "seeds in which Level 1 changes more for A than for B",
         )
         .extension()
         .rule(nineteen())
-        .note("the old network's maps still see lines: only the Top layer sees the angle")
+        .note("the maps of an old network still see lines: only the Top layer sees the angle")
         .judge_share(&level_1),
         Expectation::new(
             "angle.control.orientation_only",

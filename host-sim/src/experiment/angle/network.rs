@@ -2,7 +2,7 @@
 //!
 //! Both are the same [`Structure`] of `cla-core`, wired by types.
 
-use cla_core::layer::{Join, Layer, LayerConfig, Stack, Structure};
+use cla_core::layer::{Join, Layer, LayerConfig, Signal, Stack, Structure};
 use cla_core::num::{Rng, Schedule};
 
 use super::stimulus::{AngleStimulus, MIDPOINT_CHANNELS, ORIENTATION_CHANNELS};
@@ -68,8 +68,9 @@ impl AngleConfig {
         }
     }
 
-    fn layer(&self, width: f32, side: f32, trials: u32) -> LayerConfig {
-        let schedule = |from, to| Schedule::geometric(from, to, trials).expect("positive values");
+    fn layer(&self, width: f32, side: f32) -> LayerConfig {
+        let schedule =
+            |from, to| Schedule::geometric(from, to, self.trials).expect("positive values");
         LayerConfig::try_new(
             width,
             schedule(self.alpha.0, self.alpha.1),
@@ -81,19 +82,23 @@ impl AngleConfig {
 
 /// What the study needs of a structure, with and without midpoints.
 pub(super) trait Network: Structure {
-    /// Readies all layers for so many trials.
-    fn start(&mut self, config: &AngleConfig, trials: u32, rng: &mut Rng);
+    /// Readies all layers for a life of [`AngleConfig::trials`].
+    fn start(&mut self, config: &AngleConfig, rng: &mut Rng);
 
     /// What the network reads of a stimulus.
     fn sensors(stimulus: AngleStimulus) -> Self::Sensors;
 
-    /// Novelty summed over Level 1, and at the Top layer.
-    fn novelty(&self) -> [f32; 2];
+    /// The activations of Level 1, map by map.
+    fn components(&self) -> Vec<f32>;
 
-    /// A network that has met nothing before the habituation stimulus.
+    /// Novelty at the Top layer.
+    fn novelty(&self) -> f32;
+
+    /// A network that has met nothing before the habituation stimulus: it is at the beginning of the
+    /// life that an old network has behind it.
     fn young(config: &AngleConfig, seed: u64, tests: &[AngleStimulus; 3]) -> Responses {
         let mut network = Box::new(Self::NEW);
-        network.start(config, config.habituation, &mut Rng::stream(seed, 0));
+        network.start(config, &mut Rng::stream(seed, 0));
         habituate(&mut *network, config, seed, tests, 0)
     }
 
@@ -105,7 +110,7 @@ pub(super) trait Network: Structure {
         shown: impl Fn(f32) -> bool,
     ) -> Responses {
         let mut network = Box::new(Self::NEW);
-        network.start(config, config.trials, &mut Rng::stream(seed, 0));
+        network.start(config, &mut Rng::stream(seed, 0));
         let mut rng = Rng::stream(seed, 2);
         for t in 0..config.trials {
             let direction = loop {
@@ -121,7 +126,6 @@ pub(super) trait Network: Structure {
             let sensors = Self::sensors(config.jittered(stimulus, &mut rng));
             network.learn(&sensors, t).expect("stimuli are finite");
         }
-        // The schedules have ended: habituation goes on with their last values.
         habituate(&mut *network, config, seed, tests, config.trials)
     }
 }
@@ -145,61 +149,77 @@ fn habituate<N: Network>(
         network
             .activate(&N::sensors(test))
             .expect("stimuli are finite");
-        network.novelty().map(f64::from)
+        (network.components(), f64::from(network.novelty()))
     });
-    let looking = |level: usize| Looking {
-        habituated: habituated[level],
-        rotated: rotated[level],
-        opened: opened[level],
+    let changed = |components: &[f32]| -> f64 {
+        components
+            .iter()
+            .zip(&habituated.0)
+            .map(|(a, b)| f64::from((a - b).abs()))
+            .sum()
     };
     Responses {
-        level_1: looking(0),
-        top: looking(1),
+        level_1: Looking {
+            habituated: changed(&habituated.0),
+            rotated: changed(&rotated.0),
+            opened: changed(&opened.0),
+        },
+        top: Looking {
+            habituated: habituated.1,
+            rotated: rotated.1,
+            opened: opened.1,
+        },
     }
 }
 
+/// The values of a signal.
+fn values<S: Signal>(signal: &S) -> Vec<f32> {
+    let mut values = vec![0.0; S::LEN];
+    signal.write(&mut values.iter_mut());
+    values
+}
+
 impl Network for Full {
-    fn start(&mut self, config: &AngleConfig, trials: u32, rng: &mut Rng) {
-        let map = config.layer(config.activation_width[0], 6.0, trials);
+    fn start(&mut self, config: &AngleConfig, rng: &mut Rng) {
+        let map = config.layer(config.activation_width[0], 6.0);
         self.lower.first.first.start(&map, rng);
         self.lower.first.second.start(&map, rng);
         self.lower.second.start(&map, rng);
         self.upper
-            .start(&config.layer(config.activation_width[1], 8.0, trials), rng);
+            .start(&config.layer(config.activation_width[1], 8.0), rng);
     }
 
     fn sensors(stimulus: AngleStimulus) -> Self::Sensors {
         ((stimulus.first(), stimulus.second()), stimulus.midpoints())
     }
 
-    fn novelty(&self) -> [f32; 2] {
-        let Join {
-            first: lines,
-            second: midpoints,
-        } = &self.lower;
-        let level_1 = lines.first.novelty() + lines.second.novelty() + midpoints.novelty();
-        [level_1, self.upper.novelty()]
+    fn components(&self) -> Vec<f32> {
+        values(&self.lower)
+    }
+
+    fn novelty(&self) -> f32 {
+        self.upper.novelty()
     }
 }
 
 impl Network for OrientationOnly {
-    fn start(&mut self, config: &AngleConfig, trials: u32, rng: &mut Rng) {
-        let map = config.layer(config.activation_width[0], 6.0, trials);
+    fn start(&mut self, config: &AngleConfig, rng: &mut Rng) {
+        let map = config.layer(config.activation_width[0], 6.0);
         self.lower.first.start(&map, rng);
         self.lower.second.start(&map, rng);
         self.upper
-            .start(&config.layer(config.activation_width[1], 8.0, trials), rng);
+            .start(&config.layer(config.activation_width[1], 8.0), rng);
     }
 
     fn sensors(stimulus: AngleStimulus) -> Self::Sensors {
         (stimulus.first(), stimulus.second())
     }
 
-    fn novelty(&self) -> [f32; 2] {
-        let lines = &self.lower;
-        [
-            lines.first.novelty() + lines.second.novelty(),
-            self.upper.novelty(),
-        ]
+    fn components(&self) -> Vec<f32> {
+        values(&self.lower)
+    }
+
+    fn novelty(&self) -> f32 {
+        self.upper.novelty()
     }
 }
