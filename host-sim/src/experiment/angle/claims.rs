@@ -16,8 +16,8 @@ type Network = fn(&SeedResult) -> &Responses;
 const NETWORKS: [(&str, Network); 4] = [
     ("young", |result| &result.young),
     ("old", |result| &result.old),
-    ("old, A held out", |result| &result.held_out),
-    ("old, orientations only", |result| &result.orientation_only),
+    ("old, A unseen", |result| &result.held_out),
+    ("old, no midpoints", |result| &result.orientation_only),
 ];
 
 /// A response counts as none when it is within this much of the habituated one.
@@ -181,32 +181,19 @@ fn table(results: &[SeedResult]) -> Table {
     table
 }
 
-/// Responses as shares of the larger test response, so that young and old fit one axis.
+/// Which test is more novel to each network, as a power of 2.
 pub(super) fn figures(results: &[SeedResult]) -> Result<Vec<(&'static str, Picture)>, FigureError> {
-    let mut bars = Vec::new();
-    for (name, network) in NETWORKS {
-        let larger = |result: &SeedResult| {
+    let bars = NETWORKS.map(|(name, network)| {
+        let preference = of(results, |result| {
             let looking = network(result).top;
-            looking.rotated.max(looking.opened)
-        };
-        let share = |stimulus: fn(&Looking) -> f64| {
-            of(results, |result| {
-                stimulus(&network(result).top) / larger(result)
-            })
-        };
-        bars.push(Bar::mean_of(
-            &format!("{name}: A"),
-            &share(|looking| looking.rotated),
-        ));
-        bars.push(Bar::mean_of(
-            &format!("{name}: B"),
-            &share(|looking| looking.opened),
-        ));
-    }
+            (looking.opened / looking.rotated).log2()
+        });
+        Bar::mean_of(name, &preference)
+    });
     let axes = Axes::new(
-        "Angles: A is rotated, B has the old lines at a new angle",
+        "Young networks see lines (below 0), old ones see angles (above 0)",
         "",
-        "novelty at the Top, share of the larger, mean ± sd",
+        "log2 of novelty, new angle over new lines, mean ± sd",
     );
-    Ok(vec![("angle", bar_chart(&axes.sized(1000, 560), &bars)?)])
+    Ok(vec![("angle", bar_chart(&axes, &bars)?)])
 }
