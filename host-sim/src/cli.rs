@@ -23,6 +23,10 @@ pub struct Cli {
 pub enum Command {
     /// Compare our Pioneer with the original simulator, Stage 1.3.4 and 4.3.0, on the same layouts.
     Calibrate(CalibrateArgs),
+    /// Learn launching events with a hierarchy of maps: causal perception, stages and fallback.
+    Causal(CausalArgs),
+    /// Learn angles as infants do: young networks see lines, old ones angles.
+    Angle(AngleArgs),
 }
 
 /// Where the files of a run go.
@@ -76,6 +80,28 @@ pub struct WorldArgs {
 /// Arguments of `calibrate`.
 #[derive(Clone, Debug, Args)]
 pub struct CalibrateArgs {
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `causal`.
+#[derive(Clone, Debug, Args)]
+pub struct CausalArgs {
+    /// The seeds.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `angle`.
+#[derive(Clone, Debug, Args)]
+pub struct AngleArgs {
+    /// The seeds.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,

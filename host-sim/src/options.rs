@@ -6,8 +6,12 @@
 use std::path::{Path, PathBuf};
 use std::{error, fmt, fs};
 
-use crate::cli::{CalibrateArgs, Cli, Command, OutArgs, SeedArgs, WorldArgs};
+use crate::cli::{
+    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, OutArgs, SeedArgs, WorldArgs,
+};
+use crate::experiment::angle::{self, AngleConfig};
 use crate::experiment::calibrate;
+use crate::experiment::causal::{self, network::CausalConfig};
 use crate::progress::Progress;
 use crate::report::Results;
 use crate::world::config::{AfterCapture, PioneerConfig};
@@ -45,6 +49,10 @@ pub type Failure = Box<dyn error::Error + Send + Sync>;
 pub enum Job {
     /// See [`calibrate`].
     Calibrate,
+    /// See [`causal`]: the standard parameters with these seeds.
+    Causal(Vec<u64>),
+    /// See [`angle`]: the standard parameters with these seeds.
+    Angle(Vec<u64>),
 }
 
 /// A job, and where its files go.
@@ -67,6 +75,14 @@ impl Order {
                 job: Job::Calibrate,
                 out: directory(out, "calibrate"),
             }),
+            Command::Causal(CausalArgs { seeds: args, out }) => Ok(Self {
+                job: Job::Causal(seeds(args)?),
+                out: directory(out, "causal"),
+            }),
+            Command::Angle(AngleArgs { seeds: args, out }) => Ok(Self {
+                job: Job::Angle(seeds(args)?),
+                out: directory(out, "angle"),
+            }),
         }
     }
 }
@@ -79,6 +95,14 @@ impl Job {
     pub fn run(&self, progress: &Progress) -> Result<Results, Failure> {
         match self {
             Self::Calibrate => calibrate::report::run(progress),
+            Self::Causal(seeds) => {
+                let study = causal::run(seeds, &CausalConfig::standard(), progress);
+                Ok(study.report()?)
+            }
+            Self::Angle(seeds) => {
+                let study = angle::run(seeds, &AngleConfig::STANDARD, progress);
+                Ok(study.report()?)
+            }
         }
     }
 }

@@ -15,11 +15,14 @@ pub use network::AngleConfig;
 pub use stimulus::{AngleStimulus, MIDPOINT_CHANNELS, ORIENTATION_CHANNELS};
 
 use cla_core::num::Rng;
-use rayon::prelude::*;
 
-use crate::report::Summary;
-use crate::report::figure::{FigureError, Picture};
+use crate::progress::Progress;
+use crate::report::figure::FigureError;
+use crate::report::{Results, Summary};
 use network::{Full, Network, OrientationOnly};
+
+/// Networks of a seed.
+const NETWORKS: u64 = 4;
 
 /// What is answered to the three stimuli of Fig 2.1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,26 +66,21 @@ pub struct Study {
     results: Vec<SeedResult>,
 }
 
-/// Runs the study for each seed, on all cores; `done` is called after each.
+/// Runs the study for each seed, on all cores.
 #[must_use]
-pub fn run(seeds: &[u64], config: &AngleConfig, done: impl Fn() + Sync) -> Study {
-    let results = seeds
-        .par_iter()
-        .map(|&seed| {
-            let result = run_seed(seed, config);
-            done();
-            result
-        })
-        .collect();
+pub fn run(seeds: &[u64], config: &AngleConfig, progress: &Progress) -> Study {
+    let results = progress.over("angles", seeds, NETWORKS, |&seed, ticker| {
+        run_seed(seed, config, || ticker.advance(1))
+    });
     Study {
         config: *config,
         results,
     }
 }
 
-/// Runs the study for one seed.
+/// Runs the study for one seed; `done` is called after each of its networks.
 #[must_use]
-pub fn run_seed(seed: u64, config: &AngleConfig) -> SeedResult {
+pub fn run_seed(seed: u64, config: &AngleConfig, done: impl Fn()) -> SeedResult {
     let direction = config.draw_direction(&mut Rng::stream(seed, 1));
     let habituation = AngleStimulus {
         direction,
@@ -99,12 +97,16 @@ pub fn run_seed(seed: u64, config: &AngleConfig) -> SeedResult {
         let away = (direction - rotated.direction).rem_euclid(360.0);
         away.min(360.0 - away) > 0.5 * config.step()
     };
+    let count = |responses| {
+        done();
+        responses
+    };
     SeedResult {
         seed,
-        young: Full::young(config, seed, &tests),
-        old: Full::old(config, seed, &tests, |_| true),
-        held_out: Full::old(config, seed, &tests, held_out),
-        orientation_only: OrientationOnly::old(config, seed, &tests, |_| true),
+        young: count(Full::young(config, seed, &tests)),
+        old: count(Full::old(config, seed, &tests, |_| true)),
+        held_out: count(Full::old(config, seed, &tests, held_out)),
+        orientation_only: count(OrientationOnly::old(config, seed, &tests, |_| true)),
     }
 }
 
@@ -121,11 +123,15 @@ impl Study {
         claims::summary(&self.config, &self.results)
     }
 
-    /// The figures by file name.
+    /// The summary and the figures.
     ///
     /// # Errors
-    /// [`FigureError`] when there is no seed to draw.
-    pub fn figures(&self) -> Result<Vec<(&'static str, Picture)>, FigureError> {
-        claims::figures(&self.results)
+    /// [`FigureError`] when a figure cannot be drawn.
+    pub fn report(&self) -> Result<Results, FigureError> {
+        let mut results = Results::new(self.summary());
+        for (name, picture) in claims::figures(&self.results)? {
+            results = results.picture(name, picture);
+        }
+        Ok(results)
     }
 }

@@ -12,14 +12,17 @@ pub mod network;
 pub mod overload;
 
 use cla_core::num::Rng;
-use rayon::prelude::*;
 
-use crate::report::Summary;
-use crate::report::figure::{FigureError, Picture};
+use crate::progress::Progress;
+use crate::report::figure::FigureError;
+use crate::report::{Results, Summary};
 use crate::world::launching::{Event, Noise};
 use measure::{Causality, Stage, settled, train_with_stages};
 use network::{Causal, CausalConfig, PerLayer, Training, View};
 use overload::Overload;
+
+/// Networks trained for a seed: the one the claims are about, and three controls.
+const NETWORKS: u64 = 4;
 
 /// Training with equal shares of the four events.
 const EQUAL: [f32; 4] = [0.25; 4];
@@ -59,26 +62,21 @@ pub struct Study {
     results: Vec<SeedResult>,
 }
 
-/// Runs the experiment for each seed, on all cores; `done` is called after each.
+/// Runs the experiment for each seed, on all cores.
 #[must_use]
-pub fn run(seeds: &[u64], config: &CausalConfig, done: impl Fn() + Sync) -> Study {
-    let results = seeds
-        .par_iter()
-        .map(|&seed| {
-            let result = run_seed(seed, config);
-            done();
-            result
-        })
-        .collect();
+pub fn run(seeds: &[u64], config: &CausalConfig, progress: &Progress) -> Study {
+    let results = progress.over("causal perception", seeds, NETWORKS, |&seed, ticker| {
+        run_seed(seed, config, || ticker.advance(1))
+    });
     Study {
         config: *config,
         results,
     }
 }
 
-/// Runs the experiment for one seed.
+/// Runs the experiment for one seed; `done` is called after each of its networks.
 #[must_use]
-pub fn run_seed(seed: u64, config: &CausalConfig) -> SeedResult {
+pub fn run_seed(seed: u64, config: &CausalConfig, done: impl Fn()) -> SeedResult {
     let mut causal = Causal::new(config, seed);
     let untrained = Causality::of(&mut causal);
     let stages = train_with_stages(&mut causal);
@@ -88,9 +86,11 @@ pub fn run_seed(seed: u64, config: &CausalConfig) -> SeedResult {
     let disturbed = Noise::Noisy.disturb(&launching.frames(Event::Direct), &mut rng);
     let noisy = causal.view(&launching.jittered(&disturbed, &mut rng));
     let overload = Overload::of(&mut causal, &mut rng);
+    done();
     let control = |config: CausalConfig| {
         let mut causal = Causal::new(&config, seed);
         causal.train(|_, _| {});
+        done();
         Causality::of(&mut causal)
     };
     SeedResult {
@@ -129,11 +129,15 @@ impl Study {
         claims::summary(&self.config, &self.results)
     }
 
-    /// The figures by file name; those of single networks show the first seed.
+    /// The summary and the figures; those of single networks show the first seed.
     ///
     /// # Errors
-    /// [`FigureError`] when there is no seed to draw.
-    pub fn figures(&self) -> Result<Vec<(&'static str, Picture)>, FigureError> {
-        figures::all(&self.results)
+    /// [`FigureError`] when a figure cannot be drawn.
+    pub fn report(&self) -> Result<Results, FigureError> {
+        let mut results = Results::new(self.summary());
+        for (name, picture) in figures::all(&self.results)? {
+            results = results.picture(name, picture);
+        }
+        Ok(results)
     }
 }
