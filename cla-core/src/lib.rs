@@ -74,6 +74,7 @@
 //!
 //! The storeys, in the book's order; each knows only those before it:
 //! [`num`] (arithmetic with the same bits everywhere) → [`som`] (self-organizing maps) →
+//! [`layer`] (maps joined into hierarchies, overload, fallback) and, beside it,
 //! [`clasm`] (items, Action SOMs, schemas, values, choice, the agent).
 //! [`forager`] describes the book's robot.
 
@@ -82,5 +83,6 @@ extern crate std;
 
 pub mod clasm;
 pub mod forager;
+pub mod layer;
 pub mod num;
 pub mod som;

@@ -25,6 +25,10 @@ pub enum Command {
     Forage(ForageArgs),
     /// Compare our Pioneer with the original simulator, Stage 1.3.4 and 4.3.0, on the same layouts.
     Calibrate(CalibrateArgs),
+    /// Learn launching events with a hierarchy of maps: causal perception, stages and fallback.
+    Causal(CausalArgs),
+    /// Learn angles as infants do: young networks see lines, old ones angles.
+    Angle(AngleArgs),
 }
 
 /// Where the files of a run go.
@@ -98,6 +102,28 @@ pub struct ForageArgs {
     /// Actions of a test.
     #[arg(long, value_name = "N", default_value_t = 3_000)]
     pub test_actions: u32,
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `causal`.
+#[derive(Clone, Debug, Args)]
+pub struct CausalArgs {
+    /// The seeds.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `angle`.
+#[derive(Clone, Debug, Args)]
+pub struct AngleArgs {
+    /// The seeds.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,

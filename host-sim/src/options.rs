@@ -9,8 +9,12 @@ use std::{error, fmt, fs};
 use cla_core::clasm::AgentConfig;
 use clap::Parser;
 
-use crate::cli::{CalibrateArgs, Cli, Command, ForageArgs, OutArgs, SeedArgs, WorldArgs};
+use crate::cli::{
+    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, OutArgs, SeedArgs, WorldArgs,
+};
+use crate::experiment::angle::{self, AngleConfig};
 use crate::experiment::calibrate;
+use crate::experiment::causal::{self, network::CausalConfig};
 use crate::experiment::forage::{self, ForageOptions};
 use crate::progress::Progress;
 use crate::report::Results;
@@ -51,6 +55,10 @@ pub enum Job {
     Forage(Box<ForageOptions>),
     /// See [`calibrate`].
     Calibrate,
+    /// See [`causal`]: the standard parameters with these seeds.
+    Causal(Vec<u64>),
+    /// See [`angle`]: the standard parameters with these seeds.
+    Angle(Vec<u64>),
 }
 
 /// A job, and where its files go.
@@ -82,6 +90,14 @@ impl Order {
                 job: Job::Calibrate,
                 out: directory(out, "calibrate"),
             }),
+            Command::Causal(CausalArgs { seeds: args, out }) => Ok(Self {
+                job: Job::Causal(seeds(args)?),
+                out: directory(out, "causal"),
+            }),
+            Command::Angle(AngleArgs { seeds: args, out }) => Ok(Self {
+                job: Job::Angle(seeds(args)?),
+                out: directory(out, "angle"),
+            }),
         }
     }
 }
@@ -95,6 +111,14 @@ impl Job {
         match self {
             Self::Forage(options) => forage::run(options, progress),
             Self::Calibrate => calibrate::report::run(progress),
+            Self::Causal(seeds) => {
+                let study = causal::run(seeds, &CausalConfig::standard(), progress);
+                Ok(study.report()?)
+            }
+            Self::Angle(seeds) => {
+                let study = angle::run(seeds, &AngleConfig::STANDARD, progress);
+                Ok(study.report()?)
+            }
         }
     }
 }

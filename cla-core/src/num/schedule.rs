@@ -53,6 +53,13 @@ impl fmt::Display for ScheduleError {
 impl core::error::Error for ScheduleError {}
 
 impl Schedule {
+    /// Always 0, and all of its bytes are 0: what a static brain holds before it is started.
+    pub const ZERO: Self = Self {
+        from: 0.0,
+        to: 0.0,
+        shape: Shape::Linear { steps: 0 },
+    };
+
     /// Always `value`.
     ///
     /// # Errors
@@ -173,6 +180,12 @@ mod tests {
     fn a_decay_has_lost_63_percent_after_its_time_constant() {
         let schedule = Schedule::decay(1.0, 0.0, 600.0).unwrap();
         assert!((schedule.at(600) - 0.367_879_44).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_zero_schedule_is_zero_at_every_sample() {
+        assert_eq!(Schedule::ZERO.at(0), 0.0);
+        assert_eq!(Schedule::ZERO.at(u32::MAX), 0.0);
     }
 
     #[test]

@@ -1,4 +1,6 @@
 //! The book's experiments, one module each: what is run, what is claimed.
 
+pub mod angle;
 pub mod calibrate;
+pub mod causal;
 pub mod forage;

@@ -5,6 +5,7 @@ pub mod body;
 pub mod camera;
 pub mod config;
 pub mod geometry;
+pub mod launching;
 pub mod layout;
 pub mod pioneer;
 

@@ -1,0 +1,343 @@
+//! The CLA layer: prototypes with their activation vector (book, 3.2).
+//!
+//! Activating a layer computes every distance once; training uses the winner that was found then
+//! and the stimulus that was read then, as the book asks.
+//! What the layers above and the overload detectors need to know is here; how layers are joined is
+//! in [`structure`](super::Structure).
+
+use core::fmt;
+use core::slice::IterMut;
+
+use super::overload::Response;
+use super::signal::{Signal, write_slice};
+use crate::num::{Neighbourhood, Rng, Schedule, exp};
+use crate::som::{BestMatch, DenseSom, Grid, NodeId, StimulusError, best_match};
+
+/// An activation below this is 0, as a weight of the layer above would be.
+const SILENCE: f32 = 1e-18;
+
+/// How a [`Layer`] answers and learns.
+///
+/// ```
+/// use cla_core::layer::{LayerConfig, LayerConfigError};
+/// use cla_core::num::Schedule;
+///
+/// let alpha = Schedule::geometric(0.5, 0.04, 6500)?;
+/// let width = Schedule::geometric(4.0, 0.7, 6500)?;
+/// assert!(LayerConfig::try_new(0.47, alpha, width).is_ok());
+/// let flat = LayerConfig::try_new(0.0, alpha, width);
+/// assert_eq!(flat, Err(LayerConfigError::ActivationWidth));
+/// # Ok::<(), cla_core::num::ScheduleError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LayerConfig {
+    activation_width: f32,
+    alpha: Schedule,
+    neighbourhood: Schedule,
+}
+
+/// Why a [`LayerConfig`] could not be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LayerConfigError {
+    /// σ_a is not above 10⁻⁶, or NaN or infinite.
+    ActivationWidth,
+}
+
+impl fmt::Display for LayerConfigError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the width of a layer's activation must be finite and above 0.000001")
+    }
+}
+
+impl core::error::Error for LayerConfigError {}
+
+impl LayerConfig {
+    /// The share of the neighbourhood's peak below which a node is not trained: 1 %.
+    pub const CUT: f32 = 0.01;
+
+    /// A layer whose activations fall with the width `activation_width`, in units of distance.
+    ///
+    /// `activation_width` is σ_a of equation 3.1: a stimulus at that distance activates a node to
+    /// .61, one at twice that distance to .14.
+    /// `alpha` is the learning rate, in `[0, 1]`, and `neighbourhood` the width of the
+    /// neighbourhood in nodes, both by the number of samples that [`Layer::train`] is given.
+    ///
+    /// # Errors
+    /// [`LayerConfigError`] when `activation_width` is not above 10⁻⁶ or not finite.
+    pub const fn try_new(
+        activation_width: f32,
+        alpha: Schedule,
+        neighbourhood: Schedule,
+    ) -> Result<Self, LayerConfigError> {
+        if !activation_width.is_finite() || activation_width <= 1e-6 {
+            return Err(LayerConfigError::ActivationWidth);
+        }
+        Ok(Self {
+            activation_width,
+            alpha,
+            neighbourhood,
+        })
+    }
+}
+
+/// A map of `WIDTH` × `HEIGHT` nodes that read `FEATURES` values, with the activation of each node.
+///
+/// `new` gives zeros (a static layer costs RAM, no flash); [`start`](Self::start) readies it.
+/// RAM: (`FEATURES` + 1)·(nodes + 1) values of 4 bytes, and about 60 bytes.
+///
+/// ```
+/// use cla_core::layer::{Layer, LayerConfig};
+/// use cla_core::num::{Rng, Schedule};
+///
+/// let config = LayerConfig::try_new(
+///     0.5,
+///     Schedule::linear(0.5, 0.02, 500)?,
+///     Schedule::linear(1.5, 0.3, 500)?,
+/// )?;
+/// let mut layer = Layer::<3, 3, 2>::new();
+/// let mut rng = Rng::new(5);
+/// layer.start(&config, &mut rng);
+/// for t in 0..500 {
+///     layer.activate(&[rng.unit(), rng.unit()])?;
+///     layer.train(t);
+/// }
+/// layer.activate(&[0.5, 0.5])?;
+/// assert!(layer.activation().as_slice().iter().all(|&a| (0.0..=1.0).contains(&a)));
+/// assert!(layer.novelty() < 0.1);
+/// layer.activate(&[9.0, 9.0])?; // nothing like it was ever seen
+/// assert!(layer.novelty() > 100.0 && layer.total_activation() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layer<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> {
+    som: DenseSom<WIDTH, HEIGHT, FEATURES>,
+    stimulus: [f32; FEATURES],
+    activation: Grid<f32, WIDTH, HEIGHT>,
+    best_match: BestMatch,
+    /// 1 / 2σ_a²; 0 in a layer that was not started.
+    sharpness: f32,
+    alpha: Schedule,
+    neighbourhood: Schedule,
+}
+
+impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
+    Layer<WIDTH, HEIGHT, FEATURES>
+{
+    /// A layer of zeros: it reads stimuli, activates every node to 1 and learns nothing until it is
+    /// [started](Self::start).
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            som: DenseSom::new(),
+            stimulus: [0.0; FEATURES],
+            activation: Grid::filled(0.0),
+            best_match: BestMatch {
+                node: NodeId(0),
+                squared_distance: 0.0,
+            },
+            sharpness: 0.0,
+            alpha: Schedule::ZERO,
+            neighbourhood: Schedule::ZERO,
+        }
+    }
+
+    /// Draws every weight from `[0, 1)` and takes over `config`; activations become 0.
+    pub fn start(&mut self, config: &LayerConfig, rng: &mut Rng) {
+        self.som.randomize(rng);
+        self.configure(config);
+        self.activation.as_mut_slice().fill(0.0);
+    }
+
+    /// Takes over `config` and keeps the weights: for weights that were restored, not drawn.
+    pub fn configure(&mut self, config: &LayerConfig) {
+        self.sharpness = 1.0 / (2.0 * config.activation_width * config.activation_width);
+        self.alpha = config.alpha;
+        self.neighbourhood = config.neighbourhood;
+    }
+
+    /// Reads `stimulus` and activates every node: a = exp(−‖x − m‖² / 2σ_a²) (book, 3.1); an
+    /// activation below 10⁻¹⁸ is 0.
+    ///
+    /// A `stimulus` with another number of values than `FEATURES` does not compile (`cargo build`
+    /// tells, `cargo check` does not).
+    ///
+    /// # Errors
+    /// [`StimulusError`] when a value is not finite; the activations are then those of before, and
+    /// the layer must be activated again before it is trained.
+    pub fn activate<S: Signal>(&mut self, stimulus: &S) -> Result<(), StimulusError> {
+        const {
+            assert!(
+                S::LEN == FEATURES,
+                "a layer's FEATURES must be the number of values it reads"
+            )
+        }
+        stimulus.write(&mut self.stimulus.iter_mut());
+        self.som
+            .squared_distances(&self.stimulus, &mut self.activation)?;
+        self.best_match = best_match(&self.activation);
+        for value in self.activation.as_mut_slice() {
+            let activation = exp(-(*value * self.sharpness));
+            *value = if activation < SILENCE {
+                0.0
+            } else {
+                activation
+            };
+        }
+        Ok(())
+    }
+
+    /// Trains the map on the stimulus that it was last activated by, as sample number `samples`.
+    ///
+    /// No distance is computed again.
+    /// `samples` sets the learning rate and the neighbourhood's width; a robot that counts events
+    /// instead passes the number of events.
+    pub fn train(&mut self, samples: u32) {
+        // A schedule is never negative or NaN, so the Gaussian always exists.
+        if let Ok(near) = Neighbourhood::gaussian(self.neighbourhood.at(samples), LayerConfig::CUT)
+        {
+            let alpha = self.alpha.at(samples);
+            self.som
+                .train(&self.stimulus, self.best_match.node, alpha, &near);
+        }
+    }
+
+    /// The activation of every node, each in `[0, 1]`: the stimulus of the layers above.
+    #[must_use]
+    pub const fn activation(&self) -> &Grid<f32, WIDTH, HEIGHT> {
+        &self.activation
+    }
+
+    /// The node that the last stimulus was nearest to, and its squared distance.
+    #[must_use]
+    pub const fn best_match(&self) -> BestMatch {
+        self.best_match
+    }
+
+    /// How new the last stimulus is to this layer: the squared distance to the nearest prototype.
+    #[must_use]
+    pub const fn novelty(&self) -> f32 {
+        self.best_match.squared_distance
+    }
+
+    /// The sum of all activations, node 0 first (book, 3.4).
+    #[must_use]
+    pub fn total_activation(&self) -> f32 {
+        let mut total = 0.0;
+        for &activation in self.activation.as_slice() {
+            total += activation;
+        }
+        total
+    }
+
+    /// What an overload detector looks at: the winner, its distance and the total activation.
+    #[must_use]
+    pub fn response(&self) -> Response {
+        Response {
+            best_match: self.best_match,
+            total_activation: self.total_activation(),
+        }
+    }
+
+    /// The map under the layer.
+    #[must_use]
+    pub const fn som(&self) -> &DenseSom<WIDTH, HEIGHT, FEATURES> {
+        &self.som
+    }
+
+    /// The map under the layer, to restore weights.
+    pub const fn som_mut(&mut self) -> &mut DenseSom<WIDTH, HEIGHT, FEATURES> {
+        &mut self.som
+    }
+}
+
+impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Default
+    for Layer<WIDTH, HEIGHT, FEATURES>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The activation vector.
+impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Signal
+    for Layer<WIDTH, HEIGHT, FEATURES>
+{
+    const LEN: usize = Grid::<f32, WIDTH, HEIGHT>::NODES;
+
+    fn write(&self, out: &mut IterMut<'_, f32>) {
+        write_slice(self.activation.as_slice(), out);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Layer, LayerConfig, LayerConfigError};
+    use crate::num::{Neighbourhood, Rng, Schedule};
+    use crate::som::{DenseSom, StimulusError};
+
+    fn config(activation_width: f32) -> LayerConfig {
+        let alpha = Schedule::constant(0.5).unwrap();
+        let near = Schedule::constant(1.0).unwrap();
+        LayerConfig::try_new(activation_width, alpha, near).unwrap()
+    }
+
+    #[test]
+    fn activation_is_the_gaussian_of_equation_3_1() {
+        let mut layer = Layer::<2, 1, 2>::new();
+        layer.configure(&config(0.8));
+        layer.som_mut().prototypes_mut().as_mut_slice()[1] = [3.0, 4.0];
+        layer.activate(&[0.6, 0.8]).unwrap();
+        // Distances 1 and 4: exp(−1/1.28) and exp(−16/1.28).
+        let expected = [(-1.0_f64 / 1.28).exp(), (-16.0_f64 / 1.28).exp()];
+        for (&a, e) in layer.activation().as_slice().iter().zip(expected) {
+            assert!((f64::from(a) - e).abs() < 1e-6, "{a} {e}");
+        }
+        assert!((f64::from(layer.total_activation()) - expected[0] - expected[1]).abs() < 1e-6);
+        assert!((layer.novelty() - 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn training_after_activation_is_the_plain_map_to_the_bit() {
+        let mut layer = Layer::<4, 3, 5>::new();
+        layer.start(&config(0.5), &mut Rng::new(9));
+        let mut som = DenseSom::<4, 3, 5>::new();
+        som.randomize(&mut Rng::new(9));
+        let near = Neighbourhood::gaussian(1.0, LayerConfig::CUT).unwrap();
+        let mut rng = Rng::new(10);
+        for t in 0..50 {
+            let stimulus: [f32; 5] = core::array::from_fn(|_| rng.unit());
+            layer.activate(&stimulus).unwrap();
+            layer.train(t);
+            let best = som.best_matching_unit(&stimulus).unwrap();
+            som.train(&stimulus, best.node, 0.5, &near);
+        }
+        assert_eq!(layer.som(), &som);
+    }
+
+    #[test]
+    fn a_refused_stimulus_leaves_the_activation_as_it_was() {
+        let mut layer = Layer::<2, 2, 2>::new();
+        layer.start(&config(0.5), &mut Rng::new(1));
+        layer.activate(&[0.5, 0.5]).unwrap();
+        let before = layer.activation().clone();
+        let refused = layer.activate(&([0.0], [f32::NAN]));
+        assert_eq!(refused, Err(StimulusError::NotFinite { feature: 1 }));
+        assert_eq!(layer.activation(), &before);
+    }
+
+    #[test]
+    fn a_layer_that_was_not_started_learns_nothing() {
+        let mut layer = Layer::<2, 2, 1>::new();
+        layer.activate(&[1.0]).unwrap();
+        layer.train(0);
+        assert_eq!(layer.som(), &DenseSom::new());
+    }
+
+    #[test]
+    fn widths_that_are_no_widths_are_refused() {
+        for width in [0.0, -1.0, 1e-7, f32::NAN, f32::INFINITY] {
+            let made = LayerConfig::try_new(width, Schedule::ZERO, Schedule::ZERO);
+            assert_eq!(made, Err(LayerConfigError::ActivationWidth), "{width}");
+        }
+    }
+}

@@ -1,0 +1,535 @@
+//! The claims of chapter 4, and the tables beside them.
+//!
+//! Each claim states its measure, its margin and the book's number where there is one.
+
+use serde_json::{Value, json};
+
+use super::SeedResult;
+use super::measure::{Causality, Differences, SEPARATION_MARGIN, SPECIAL};
+use super::network::{CausalConfig, LAYERS, PerLayer};
+use super::overload::{Overload, Reaction, TESTS};
+use crate::report::{
+    Bound, Claim, Expectation, Rule, Summary, Table, cohens_d, mean, sample_sd, welch_t,
+};
+use crate::world::launching::{Event, Noise};
+
+/// Which network of a seed a control is about.
+type Control = fn(&SeedResult) -> &Causality;
+
+pub(super) fn summary(config: &CausalConfig, results: &[SeedResult]) -> Summary {
+    let seeds: Vec<u64> = results.iter().map(|result| result.seed).collect();
+    let mut summary = Summary::new("causal", &seeds);
+    parameters(&mut summary, config);
+    for claim in components(results)
+        .into_iter()
+        .chain(causal_view(results))
+        .chain([stages(results)])
+        .chain(fallback(results))
+        .chain(controls(results))
+    {
+        summary.claim(claim);
+    }
+    summary.table("differences at the Top layer", differences_table(results));
+    summary.table("controls", controls_table(results));
+    summary.table("special nodes of the Top layer", special_table(results));
+    summary.table(
+        "settled after this share of training",
+        settled_table(results),
+    );
+    summary.table("alarms by kind of event", alarms_table(results));
+    summary.table("found by disturbed event", found_table(results));
+    summary
+}
+
+fn parameters(summary: &mut Summary, config: &CausalConfig) {
+    let events = &config.launching;
+    // Decimal fractions as they were typed, not as f32 holds them.
+    let typed = |value: f32| -> Value { json!(value.to_string().parse::<f64>().unwrap_or(0.0)) };
+    let typed_all = |values: &[f32]| -> Value { values.iter().map(|&v| typed(v)).collect() };
+    summary.parameter("training events", config.events);
+    summary.parameter(
+        "shares of Direct, Delay, Gap, Delay+Gap",
+        typed_all(&config.shares),
+    );
+    summary.parameter(
+        "learning rate, first and last",
+        typed_all(&[config.alpha.0, config.alpha.1]),
+    );
+    summary.parameter(
+        "last neighbourhood by layer",
+        typed_all(&config.final_neighbourhood),
+    );
+    summary.parameter(
+        "activation width by layer",
+        typed_all(&config.activation_width),
+    );
+    summary.parameter("detectors take note from", typed(config.record_from));
+    summary.parameter(
+        "limit of distance by layer",
+        typed_all(&config.detectors.map(|d| d.limit())),
+    );
+    summary.parameter("slack of transitions by layer", json!(config.order_slack));
+    summary.parameter("first ball starts at cell", typed(events.first_start));
+    summary.parameter("second ball starts at cell", typed(events.second_start));
+    summary.parameter("cells a step", typed(events.cells_per_step));
+    summary.parameter("speed level", typed(events.speed_level));
+    summary.parameter("gap in cells", typed(events.gap));
+    summary.parameter("delay in steps", events.delay);
+    summary.parameter("still frames at each end", events.still_frames);
+    summary.parameter("position jitter in cells", typed(events.position_jitter));
+    summary.parameter("speed jitter in levels", typed(events.speed_jitter));
+    summary.parameter("test events of each sort", TESTS);
+}
+
+fn of<T>(results: &[SeedResult], measure: impl Fn(&SeedResult) -> T) -> Vec<T> {
+    results.iter().map(measure).collect()
+}
+
+fn components(results: &[SeedResult]) -> [Claim; 2] {
+    let margin = format!("seeds with a ratio of at least {SEPARATION_MARGIN}");
+    let claim = |id: &str, what: &str, ratio: fn(&Causality) -> f64| {
+        let ratios = of(results, |result| ratio(&result.trained));
+        let separates: Vec<bool> = ratios.iter().map(|&r| r >= SEPARATION_MARGIN).collect();
+        Expectation::new(id, "4.3.2", margin.as_str())
+            .rule(Rule::mean(Bound::AtLeast(0.9)))
+            .note(format!(
+                "{what}: {:.2} ± {:.2} times, at least {:.2}",
+                mean(&ratios),
+                sample_sd(&ratios),
+                ratios.iter().copied().fold(f64::INFINITY, f64::min)
+            ))
+            .judge_share(&separates)
+    };
+    [
+        claim(
+            "causal.position_separates",
+            "difference of events with and without gap over that with and without delay",
+            Causality::position_separation,
+        ),
+        claim(
+            "causal.movement_separates",
+            "difference of events with and without delay over that with and without gap",
+            Causality::movement_separation,
+        ),
+    ]
+}
+
+fn causal_view(results: &[SeedResult]) -> Vec<Claim> {
+    let nodes = of(results, |result| result.trained.special_nodes());
+    let share = |id: &str, section: &str, unit: String, least: f64, yes: Vec<bool>| {
+        let claim = Expectation::new(id, section, unit);
+        claim
+            .rule(Rule::mean(Bound::AtLeast(least)))
+            .judge_share(&yes)
+    };
+    let special = |event: Event, some: bool| -> Vec<bool> {
+        nodes
+            .iter()
+            .map(|nodes| (nodes[event as usize] > 0) == some)
+            .collect()
+    };
+    let some = format!("seeds with nodes whose isolate is above {SPECIAL}");
+    let none = format!("seeds without nodes whose isolate is above {SPECIAL}");
+    let pattern = of(results, |result| result.trained.has_full_pattern());
+    let differences = of(results, |result| result.trained.differences());
+    let pick = |of: fn(&Differences) -> f64| -> Vec<f64> { differences.iter().map(of).collect() };
+    let below = pick(|d| d.delay_gap);
+    vec![
+        share(
+            "causal.isolates.direct",
+            "4.3.3",
+            some.clone(),
+            0.9,
+            special(Event::Direct, true),
+        ),
+        share(
+            "causal.isolates.delaygap",
+            "4.3.5",
+            some,
+            0.9,
+            special(Event::DelayGap, true),
+        ),
+        share(
+            "causal.isolates.delay",
+            "4.3.3",
+            none.clone(),
+            0.9,
+            special(Event::Delay, false),
+        ),
+        share(
+            "causal.isolates.gap",
+            "4.3.3",
+            none,
+            0.9,
+            special(Event::Gap, false),
+        ),
+        share(
+            "causal.isolates.full_pattern",
+            "4.3.3, 4.3.5",
+            "seeds with nodes for Direct and Delay+Gap, none for Delay and Gap".to_owned(),
+            0.85,
+            pattern,
+        ),
+        larger(
+            "causal.direct_vs_delaygap",
+            (9.66, 1.16),
+            1.6,
+            &pick(|d| d.direct_delaygap),
+            &below,
+        ),
+        larger(
+            "causal.direct_vs_gap",
+            (8.20, 0.56),
+            1.4,
+            &pick(|d| d.direct_gap),
+            &below,
+        ),
+        Expectation::new(
+            "causal.direct_vs_delay",
+            "Fig 4.7",
+            "Direct–Delay over Delay–Gap",
+        )
+        .rule(Rule::every_seed(Bound::Above(1.0)))
+        .contradicts_itself(
+            "the label of Fig 4.7 says Direct–Delay, the text Direct–Gap; only the text holds",
+        )
+        .judge_ratio(&pick(|d| d.direct_delay), &below),
+    ]
+}
+
+/// A causal difference that is larger than that of Delay and Gap, 5.38 ± 1.00 in the book.
+fn larger(id: &str, book: (f64, f64), least: f64, above: &[f64], below: &[f64]) -> Claim {
+    let book_ratio = book.0 / 5.38;
+    let test = welch_t(above, below);
+    let significant = test.p < 0.001 && test.t > 0.0;
+    Expectation::new(id, "4.3.4", "times the difference of Delay and Gap")
+        .book(book_ratio)
+        .rule(Rule::All(vec![
+            Rule::mean(Bound::AtLeast(least)),
+            Rule::every_seed(Bound::Above(1.0)),
+            Rule::judged("Welch p < .001", significant),
+        ]))
+        .exceeded(Rule::mean(Bound::AtLeast(book_ratio)))
+        .note(format!(
+            "{:.2} ± {:.2} against {:.2} ± {:.2}, t({:.1}) = {:.1}, p = {:.1e}, d = {:.1}; \
+             book {:.2} ± {:.2} against 5.38 ± 1.00 (n = 4)",
+            mean(above),
+            sample_sd(above),
+            mean(below),
+            sample_sd(below),
+            test.freedom,
+            test.t,
+            test.p,
+            cohens_d(above, below),
+            book.0,
+            book.1,
+        ))
+        .judge_ratio(above, below)
+}
+
+fn stages(results: &[SeedResult]) -> Claim {
+    let last = of(results, |result| {
+        let [position, movement, top] = result.settled;
+        top > position && top > movement
+    });
+    let settled = |layer: usize| mean(&of(results, |result| result.settled[layer]));
+    Expectation::new(
+        "causal.stages",
+        "4.3.6",
+        "seeds in which the Top layer settles last",
+    )
+    .rule(Rule::mean(Bound::AtLeast(0.9)))
+    .note(format!(
+        "settled within a third of the final composite after {:.2}, {:.2} and {:.2} of training \
+             (Position, Movement, Top); book: .69 for Level 1",
+        settled(0),
+        settled(1),
+        settled(2),
+    ))
+    .judge_share(&last)
+}
+
+fn fallback(results: &[SeedResult]) -> Vec<Claim> {
+    let noisy = |of_it: fn(&Reaction) -> f64| of(results, |r| of_it(&r.overload.noisy));
+    let clean = |of_it: fn(&Reaction) -> f64| of(results, |r| of_it(&r.overload.clean));
+    let detected = noisy(|reaction| reaction.rates.overloaded[2]);
+    let false_alarms = clean(|reaction| reaction.rates.any);
+    let both = detected
+        .iter()
+        .zip(&false_alarms)
+        .filter(|(d, f)| **d >= 0.95 && **f <= 0.05);
+    let good = both.count();
+    let enough = good as f64 >= 0.95 * results.len() as f64;
+    let rule = Rule::judged(
+        format!("detected >= 0.95 with false alarms <= 0.05 in 95 % of seeds ({good} here)"),
+        enough,
+    );
+    let mut claims = vec![
+        Expectation::new("causal.fallback.detected", "4.4", "share of Noisy events")
+            .rule(rule.clone())
+            .note("the Top layer's own detectors: distance and order")
+            .judge(&detected),
+        Expectation::new(
+            "causal.fallback.false_alarms",
+            "4.4",
+            "share of held-out clean events",
+        )
+        .rule(rule)
+        .note("any detector of any layer; clean: new draws within the trained jitter")
+        .judge(&false_alarms),
+        Expectation::new("causal.fallback.correct", "4.4", "share of Noisy events")
+            .rule(Rule::mean(Bound::AtLeast(0.95)))
+            .note("the Top layer is overloaded and Level 1 answers")
+            .judge(&noisy(|reaction| reaction.rates.fallback)),
+        Expectation::new("causal.fallback.literal", "3.4", "share of Noisy events")
+            .rule(Rule::mean(Bound::AtLeast(0.95)))
+            .note("the book's trigger: the Top's total is below the minimum of late training")
+            .judge(&noisy(|reaction| reaction.rates.literal[2])),
+        muted(results),
+    ];
+    for (kind, noise) in Noise::ALL.into_iter().enumerate() {
+        let found = of(results, |result| result.overload.kinds[kind].rates.any);
+        let id = format!("causal.fallback.noise.{}", noise.id());
+        claims.push(
+            Expectation::new(id, "4.4", "share of disturbed events")
+                .extension()
+                .rule(Rule::mean(Bound::AtLeast(0.9)))
+                .note("any detector of any layer")
+                .judge(&found),
+        );
+    }
+    claims
+}
+
+/// Level 1 responds to the Noisy event and the Top layer hardly does (Fig 4.10).
+fn muted(results: &[SeedResult]) -> Claim {
+    let activation = |layer: usize| of(results, |r| r.overload.noisy.activation[layer]);
+    let [position, movement, top] = [0, 1, 2].map(activation);
+    Expectation::new(
+        "causal.fallback.muted",
+        "4.4.2",
+        "Top activation, Noisy over Direct",
+    )
+    .rule(Rule::mean(Bound::AtMost(0.5)))
+    .note(format!(
+        "Position {:.2} and Movement {:.2} of their activation in Direct events",
+        mean(&position),
+        mean(&movement),
+    ))
+    .judge(&top)
+}
+
+fn controls(results: &[SeedResult]) -> [Claim; 4] {
+    let nodes = |control: Control, event: Event| {
+        of(results, |result| {
+            control(result).special_nodes()[event as usize]
+        })
+    };
+    let uniform = of(results, |result| {
+        let differences = result.uniform.differences();
+        differences.direct_delaygap / differences.delay_gap
+    });
+    let delay = nodes(|result| &result.mostly_delay, Event::Delay);
+    let direct = nodes(|result| &result.mostly_delay, Event::Direct);
+    let delay_is_special: Vec<bool> = delay
+        .iter()
+        .zip(&direct)
+        .map(|(delay, direct)| *delay > 0 && delay > direct)
+        .collect();
+    let reverse = mean(&of(results, |result| {
+        let differences = result.mostly_delay.differences();
+        differences.direct_delaygap / differences.delay_gap
+    }));
+    let none = of(results, |result| result.untrained.special_nodes() == [0; 4]);
+    let staged = of(results, |result| result.staged.has_full_pattern());
+    [
+        Expectation::new(
+            "causal.control.uniform",
+            "4.3.1",
+            "Direct–Delay+Gap over Delay–Gap, equal frequencies",
+        )
+        .rule(Rule::mean(Bound::AtMost(1.2)))
+        .note("with equal frequencies Direct is not special: special follows frequency")
+        .judge(&uniform),
+        Expectation::new(
+            "causal.control.delay85",
+            "4.3.1",
+            "seeds with more special nodes for Delay than for Direct",
+        )
+        .rule(Rule::mean(Bound::AtLeast(0.9)))
+        .note(format!(
+            "with Delay at 85 % Delay becomes the special event (ratio {reverse:.2}): special \
+             follows frequency"
+        ))
+        .judge_share(&delay_is_special),
+        Expectation::new(
+            "causal.control.untrained",
+            "4.3.3",
+            "seeds without any special node",
+        )
+        .extension()
+        .rule(Rule::mean(Bound::AtLeast(0.9)))
+        .judge_share(&none),
+        Expectation::new(
+            "causal.control.staged",
+            "4.3.6",
+            "seeds with the full pattern of isolates",
+        )
+        .extension()
+        .rule(Rule::mean(Bound::AtLeast(0.85)))
+        .note("Level 1 trained alone, then the Top layer for as many events")
+        .judge_share(&staged),
+    ]
+}
+
+fn spread(values: &[f64]) -> [Value; 2] {
+    [rounded(mean(values)), rounded(sample_sd(values))]
+}
+
+/// Three decimals: tables are read, claims are compared.
+fn rounded(value: f64) -> Value {
+    json!((value * 1000.0).round() / 1000.0)
+}
+
+fn differences_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&["events", "mean", "sd", "book mean", "book sd"]);
+    let mut row = |name: &str, book: [Value; 2], of_it: fn(&Differences) -> f64| {
+        let values = of(results, |result| of_it(&result.trained.differences()));
+        table.row([json!(name)].into_iter().chain(spread(&values)).chain(book));
+    };
+    let unknown = || [Value::Null, Value::Null];
+    row("Direct – Delay+Gap", [json!(9.66), json!(1.16)], |d| {
+        d.direct_delaygap
+    });
+    row("Direct – Gap", [json!(8.20), json!(0.56)], |d| {
+        d.direct_gap
+    });
+    row("Direct – Delay", unknown(), |d| d.direct_delay);
+    row("Delay – Gap", [json!(5.38), json!(1.00)], |d| d.delay_gap);
+    table
+}
+
+fn controls_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&[
+        "network",
+        "Direct–Delay+Gap / Delay–Gap",
+        "Direct–Gap / Delay–Gap",
+        "full pattern",
+        "special: Direct",
+        "Delay",
+        "Gap",
+        "Delay+Gap",
+    ]);
+    let networks: [(&str, Control); 5] = [
+        ("trained", |r| &r.trained),
+        ("staged", |r| &r.staged),
+        ("equal frequencies", |r| &r.uniform),
+        ("Delay 85 %", |r| &r.mostly_delay),
+        ("untrained", |r| &r.untrained),
+    ];
+    for (name, network) in networks {
+        let differences = of(results, |result| network(result).differences());
+        let below = mean(&differences.iter().map(|d| d.delay_gap).collect::<Vec<_>>());
+        let ratio = |of: fn(&Differences) -> f64| {
+            rounded(mean(&differences.iter().map(of).collect::<Vec<_>>()) / below)
+        };
+        let pattern = of(results, |r| {
+            f64::from(u8::from(network(r).has_full_pattern()))
+        });
+        let nodes = |event: Event| {
+            rounded(mean(&of(results, |r| {
+                f64::from(network(r).special_nodes()[event as usize])
+            })))
+        };
+        let ratios = [ratio(|d| d.direct_delaygap), ratio(|d| d.direct_gap)];
+        table.row(
+            [json!(name)]
+                .into_iter()
+                .chain(ratios)
+                .chain([rounded(mean(&pattern))])
+                .chain(Event::ALL.map(nodes)),
+        );
+    }
+    table
+}
+
+fn special_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&["seed", "Direct", "Delay", "Gap", "Delay+Gap"]);
+    for result in results {
+        let nodes = result.trained.special_nodes().map(|count| json!(count));
+        table.row([json!(result.seed)].into_iter().chain(nodes));
+    }
+    table
+}
+
+fn settled_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&["layer", "mean", "sd"]);
+    for (layer, name) in LAYERS.into_iter().enumerate() {
+        let shares = of(results, |result| result.settled[layer]);
+        table.row([json!(name)].into_iter().chain(spread(&shares)));
+    }
+    table
+}
+
+fn alarms_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&[
+        "events",
+        "distance: Position",
+        "Movement",
+        "Top",
+        "order: Movement",
+        "Top",
+        "any",
+        "falls back to Level 1",
+        "literal: Position",
+        "Movement",
+        "Top",
+    ]);
+    let mut row = |name: String, reaction: &dyn Fn(&Overload) -> Reaction| {
+        let rates = of(results, |result| reaction(&result.overload).rates);
+        let layers = |of_it: fn(&super::overload::Rates) -> PerLayer<f64>| {
+            [0, 1, 2].map(|layer| {
+                rounded(mean(
+                    &rates.iter().map(|r| of_it(r)[layer]).collect::<Vec<_>>(),
+                ))
+            })
+        };
+        let one = |of_it: fn(&super::overload::Rates) -> f64| {
+            rounded(mean(&rates.iter().map(of_it).collect::<Vec<_>>()))
+        };
+        let [_, movement, top] = layers(|rates| rates.order);
+        table.row(
+            [json!(name)]
+                .into_iter()
+                .chain(layers(|rates| rates.distance))
+                .chain([
+                    movement,
+                    top,
+                    one(|rates| rates.any),
+                    one(|rates| rates.fallback),
+                ])
+                .chain(layers(|rates| rates.literal)),
+        );
+    };
+    row("clean".to_owned(), &|overload| overload.clean.clone());
+    row("Noisy Direct".to_owned(), &|overload| {
+        overload.noisy.clone()
+    });
+    for (kind, noise) in Noise::ALL.into_iter().enumerate() {
+        row(noise.to_string(), &|overload| overload.kinds[kind].clone());
+    }
+    table
+}
+
+fn found_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&["disturbance", "Direct", "Delay", "Gap", "Delay+Gap"]);
+    for (kind, noise) in Noise::ALL.into_iter().enumerate() {
+        let found = [0, 1, 2, 3].map(|event| {
+            rounded(mean(&of(results, |result| {
+                result.overload.found[kind][event]
+            })))
+        });
+        table.row([json!(noise.to_string())].into_iter().chain(found));
+    }
+    table
+}
