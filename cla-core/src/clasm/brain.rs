@@ -145,7 +145,7 @@ macro_rules! brain {
             /// Begins a brain's life and says what is valuable.
             ///
             /// # Errors
-            /// [`ConfigError`](cla_core::clasm::ConfigError) for a configuration that cannot work.
+            /// `ConfigError` for a configuration that cannot work.
             pub fn be_born(
                 brain: &mut Brain,
                 config: $crate::clasm::AgentConfig,

@@ -1,0 +1,184 @@
+//! The map of ARCHITECTURE.md, held: who imports whom, what the core does without, how long files are.
+
+use cla_tests::{Source, root, sources};
+
+const CRATES: [&str; 4] = ["cla-core", "host-sim", "firmware-example", "tests"];
+
+fn all() -> Vec<Source> {
+    CRATES.iter().flat_map(|folder| sources(folder)).collect()
+}
+
+/// Lines of code that contain a word, as `path:line: text`.
+fn lines_with(sources: &[Source], word: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for source in sources {
+        for (number, line) in source.code_without_tests() {
+            if line.contains(word) {
+                found.push(format!("{}:{number}: {}", source.path, line.trim()));
+            }
+        }
+    }
+    found
+}
+
+fn under(folder: &str) -> Vec<Source> {
+    let inside = |source: &Source| source.path.starts_with(folder);
+    all().into_iter().filter(inside).collect()
+}
+
+#[test]
+fn every_module_says_at_its_head_what_it_is() {
+    for source in all() {
+        let head = source.text.find("//! ");
+        let head = head.unwrap_or_else(|| panic!("{} has no head", source.path));
+        // Only attributes of the whole crate may stand before it.
+        let before = &source.text[..head];
+        for word in ["use ", "mod ", "fn ", "struct ", "enum ", "const ", "///"] {
+            assert!(!before.contains(word), "{}: {before}", source.path);
+        }
+    }
+}
+
+#[test]
+fn no_file_has_more_than_500_lines_of_code() {
+    for source in all() {
+        let lines = source.code().count();
+        assert!(lines <= 500, "{}: {lines}", source.path);
+    }
+}
+
+#[test]
+fn each_storey_of_the_core_knows_only_those_below() {
+    for (folder, above) in [
+        ("num", &["som", "layer", "clasm", "forager"][..]),
+        ("som", &["layer", "clasm", "forager"]),
+        ("layer", &["clasm", "forager"]),
+        ("clasm", &["layer", "forager"]),
+    ] {
+        let inside = under(&format!("cla-core/src/{folder}"));
+        for module in above {
+            let found = lines_with(&inside, &format!("crate::{module}"));
+            assert!(found.is_empty(), "{folder} imports {module}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn only_the_arena_names_the_physics_engine() {
+    let mut elsewhere = under("host-sim");
+    elsewhere.retain(|source| !source.path.ends_with("world/arena.rs"));
+    let found = lines_with(&elsewhere, "rapier2d");
+    assert!(found.is_empty(), "{found:?}");
+    let arena = under("host-sim/src/world/arena.rs");
+    assert!(!lines_with(&arena, "rapier2d").is_empty());
+}
+
+#[test]
+fn reports_know_nothing_of_worlds_and_brains() {
+    let report = under("host-sim/src/report");
+    assert!(report.len() > 8);
+    for module in ["crate::world", "crate::experiment", "cla_core"] {
+        let found = lines_with(&report, module);
+        assert!(found.is_empty(), "{found:?}");
+    }
+}
+
+#[test]
+fn the_core_does_without_std_and_alloc() {
+    let core = under("cla-core/src");
+    let text = &core
+        .iter()
+        .find(|source| source.path.ends_with("src/lib.rs"));
+    let text = &text.expect("the core has a lib.rs").text;
+    assert!(text.starts_with("#![no_std]\n"), "no_std is unconditional");
+    for word in ["std::", "alloc::", "extern crate alloc"] {
+        let mut found = lines_with(&core, word);
+        found.retain(|line| !line.contains("no_std"));
+        assert!(found.is_empty(), "{found:?}");
+    }
+    let externs = text.matches("extern crate").count();
+    assert_eq!(
+        externs,
+        text.matches("#[cfg(test)]\nextern crate std;").count()
+    );
+}
+
+/// What gives other bits on another target, or with another version of a library.
+#[test]
+fn the_core_does_no_arithmetic_that_depends_on_the_target() {
+    let core = under("cla-core/src");
+    for word in [
+        "mul_add",
+        ".powf(",
+        ".powi(",
+        ".sqrt()",
+        ".exp()",
+        ".exp2()",
+        ".ln()",
+        ".sin()",
+        ".cos()",
+        ".tanh()",
+        ".hypot(",
+        "sum::<f32>",
+        "product::<f32>",
+        "f64",
+    ] {
+        let found = lines_with(&core, word);
+        assert!(found.is_empty(), "{word}: {found:?}");
+    }
+    // The sum of no floats is −0; integers say their type in the same line.
+    let mut sums = lines_with(&core, ".sum()");
+    sums.retain(|line| !(line.contains("as u16") || line.contains("as u32")));
+    assert!(sums.is_empty(), "{sums:?}");
+}
+
+#[test]
+fn only_num_calls_the_library_of_float_functions() {
+    let mut core = under("cla-core/src");
+    core.retain(|source| !source.path.contains("/num/"));
+    let found = lines_with(&core, "libm::");
+    assert!(found.is_empty(), "{found:?}");
+}
+
+#[test]
+fn nothing_in_the_simulator_iterates_in_an_order_of_chance() {
+    for word in ["HashMap", "HashSet", "thread_rng", "SystemTime"] {
+        let found = lines_with(&under("host-sim/src"), word);
+        assert!(found.is_empty(), "{found:?}");
+    }
+}
+
+#[test]
+fn the_root_holds_what_the_map_names_and_nothing_else() {
+    let known = [
+        "Cargo.toml",
+        "Cargo.lock",
+        "cla-core",
+        "host-sim",
+        "firmware-example",
+        "tests",
+        "memory-budget.md",
+        "README.md",
+        "ARCHITECTURE.md",
+        "CHANGELOG.md",
+        "CONTRIBUTING.md",
+        "LICENSE-MIT",
+        "LICENSE-APACHE",
+        "rust-toolchain.toml",
+        "rustfmt.toml",
+        "clippy.toml",
+        "deny.toml",
+        "target",
+        "runs",
+    ];
+    for entry in std::fs::read_dir(root())
+        .expect("the root can be read")
+        .flatten()
+    {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        assert!(
+            name.starts_with('.') || known.contains(&name.as_str()),
+            "{name}"
+        );
+    }
+}

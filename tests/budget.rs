@@ -1,0 +1,104 @@
+//! `memory-budget.md` is true: every byte in it is measured here.
+//!
+//! `UPDATE_BUDGET=1 cargo test -p cla-tests --test budget` writes its tables anew.
+
+use std::fs;
+use std::mem::{size_of, size_of_val};
+
+use cla_core::clasm::{ItemStates, Schema, SignedItems};
+use cla_core::forager::pioneer::{self, WORDS};
+use cla_core::num::Rng;
+
+/// Rows of a table: a structure, how many of them, bytes of all.
+type Rows = Vec<(&'static str, usize, usize)>;
+
+fn forager() -> Rows {
+    let brain = Box::new(pioneer::brain());
+    let maps = brain.bank().maps();
+    let knowledge = size_of_val(brain.knowledge());
+    let bank = size_of_val(brain.bank());
+    vec![
+        ("**brain**", 1, pioneer::RAM),
+        ("bank of Action SOMs, with its scratch distances", 1, bank),
+        (
+            "· Action SOM of 20 × 20 nodes",
+            maps.len(),
+            size_of_val(maps),
+        ),
+        ("knowledge base", 1, knowledge),
+        ("· schema", 1024, 1024 * size_of::<Schema>()),
+        (
+            "· pattern of items",
+            128,
+            128 * size_of::<SignedItems<WORDS>>(),
+        ),
+        (
+            "the rest: configuration, last percept, generator, counters",
+            1,
+            pioneer::RAM - knowledge - bank,
+        ),
+        ("· percept", 1, size_of::<ItemStates<WORDS>>()),
+        ("· random generator", 1, size_of::<Rng>()),
+    ]
+}
+
+fn markdown(rows: &Rows) -> String {
+    let mut text = String::from("| structure | number | bytes |\n|---|---:|---:|\n");
+    for (name, number, bytes) in rows {
+        text.push_str(&format!("| {name} | {number} | {} |\n", grouped(*bytes)));
+    }
+    text
+}
+
+/// 206172 as 206,172.
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// The text with the part between a table's markers replaced.
+fn with_table(text: &str, name: &str, table: &str) -> String {
+    let marker = format!("<!-- budget: {name} -->\n");
+    let (before, rest) = text.split_once(&marker).expect("the table has its marker");
+    let (_, after) = rest
+        .split_once("<!-- end -->")
+        .expect("the table has an end");
+    format!("{before}{marker}{table}<!-- end -->{after}")
+}
+
+#[test]
+fn the_budget_says_what_the_brain_costs() {
+    let path = cla_tests::root().join("memory-budget.md");
+    let text = fs::read_to_string(&path).expect("the budget can be read");
+    let measured = with_table(&text, "forager", &markdown(&forager()));
+    if std::env::var_os("UPDATE_BUDGET").is_some() {
+        fs::write(&path, measured).expect("the budget can be written");
+    } else {
+        assert_eq!(
+            text, measured,
+            "run UPDATE_BUDGET=1 cargo test -p cla-tests --test budget"
+        );
+    }
+}
+
+#[test]
+fn the_parts_of_the_brain_are_the_whole() {
+    let rows = forager();
+    let parts: usize = [1, 3, 6].iter().map(|&row| rows[row].2).sum();
+    assert_eq!(parts, rows[0].2);
+    assert!(rows[2].2 <= rows[1].2 && rows[4].2 + rows[5].2 <= rows[3].2);
+}
+
+#[test]
+fn thousands_are_grouped() {
+    assert_eq!(grouped(206_172), "206,172");
+    assert_eq!(grouped(999), "999");
+    assert_eq!(grouped(1_000), "1,000");
+}
