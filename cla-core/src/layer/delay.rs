@@ -198,7 +198,19 @@ impl<S: Structure, const LEN: usize, const STEPS: usize> Structure for Delayed<S
 /// The last `STEPS` outputs of `source`, oldest first, the present one last: a sliding window.
 ///
 /// `LEN` must be the number of values that `source` gives; the window gives `LEN`·`STEPS`.
-/// See [`layer`](super) for an example.
+///
+/// ```
+/// use cla_core::layer::{Input, Signal, Structure, Window};
+///
+/// let mut window = Window::<Input<1>, 1, 3>::new();
+/// for value in [1.0, 2.0, 3.0, 4.0] {
+///     window.activate(&[value])?;
+/// }
+/// let mut seen = [0.0; 3];
+/// window.write(&mut seen.iter_mut());
+/// assert_eq!(seen, [2.0, 3.0, 4.0]);
+/// # Ok::<(), cla_core::som::StimulusError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Window<S, const LEN: usize, const STEPS: usize> {
     /// The structure whose outputs are held.

@@ -129,7 +129,16 @@ impl<const LEN: usize> Structure for Input<LEN> {
 /// A layer of `WIDTH` × `HEIGHT` nodes on top of `lower` (book, Fig 3.1).
 ///
 /// `FEATURES` must be the number of values that `lower` gives; another number does not compile.
-/// See [`layer`](super) for an example.
+///
+/// ```
+/// use cla_core::layer::{Layer, Signal, Stack, Structure};
+/// // Three levels: 5 features → 16 nodes → 9 nodes → 4 nodes.
+/// type Deep = Stack<Stack<Layer<4, 4, 5>, 3, 3, 16>, 2, 2, 9>;
+/// let mut deep = Deep::new();
+/// deep.activate(&[0.1, 0.2, 0.3, 0.4, 0.5])?;
+/// assert_eq!(Deep::LEN, 4);
+/// # Ok::<(), cla_core::som::StimulusError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stack<Lower, const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> {
     /// What lies below: a layer or any other structure.
@@ -194,7 +203,15 @@ impl<Lower: Structure, const WIDTH: usize, const HEIGHT: usize, const FEATURES: 
 /// Two structures side by side, read together by the layer above: the tree (book, 3.3).
 ///
 /// More than two: `Join<A, Join<B, C>>`.
-/// See [`layer`](super) for an example.
+///
+/// ```
+/// use cla_core::layer::{Join, Layer, Signal, Structure};
+/// type Senses = Join<Layer<3, 3, 4>, Join<Layer<2, 2, 1>, Layer<2, 1, 6>>>;
+/// let mut senses = Senses::new();
+/// senses.activate(&([0.0; 4], ([1.0], [0.5; 6])))?;
+/// assert_eq!(Senses::LEN, 9 + 4 + 2);
+/// # Ok::<(), cla_core::som::StimulusError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Join<A, B> {
     /// Its values come first.

@@ -10,6 +10,9 @@ use crate::report::{
     Bound, Claim, Expectation, Rule, Summary, Table, cohens_d, mean, sample_sd, welch_t,
 };
 
+/// Which level's answers of a network.
+type Answers = fn(&Responses) -> &Looking;
+
 /// Which network of a seed.
 type Network = fn(&SeedResult) -> &Responses;
 
@@ -159,7 +162,7 @@ fn table(results: &[SeedResult]) -> Table {
     let mut table = Table::new(&["network", "level", "habituated", "A: rotated", "B: opened"]);
     let rounded = |value: f64| json!((value * 1000.0).round() / 1000.0);
     for (name, network) in NETWORKS {
-        let levels: [(&str, fn(&Responses) -> &Looking); 2] = [
+        let levels: [(&str, Answers); 2] = [
             ("Level 1", |responses| &responses.level_1),
             ("Top", |responses| &responses.top),
         ];

@@ -12,6 +12,9 @@ use crate::world::launching::Event;
 /// The moments of Fig 4.9, in events of 6500.
 const MOMENTS: [u32; 6] = [0, 500, 1500, 3500, 5500, 6500];
 
+/// One of the scores of events.
+type Score = fn(&Scores) -> &Vec<f64>;
+
 type Figures = Vec<(&'static str, Picture)>;
 
 pub(super) fn all(results: &[SeedResult]) -> Result<Figures, FigureError> {
@@ -147,7 +150,7 @@ fn differences(results: &[SeedResult]) -> Result<Picture, FigureError> {
         bar("Direct – Delay+Gap", |d| d.direct_delaygap / d.delay_gap).beside(9.66 / 5.38),
         bar("Direct – Gap", |d| d.direct_gap / d.delay_gap).beside(8.20 / 5.38),
         bar("Direct – Delay", |d| d.direct_delay / d.delay_gap),
-        bar("Delay – Gap", |d| d.delay_gap / d.delay_gap).beside(1.0),
+        Bar::new("Delay – Gap", 1.0).beside(1.0),
     ];
     let title = format!(
         "Differences at the Top layer ({} seeds; lines: the book)",
@@ -202,15 +205,14 @@ fn noisy(result: &SeedResult) -> Result<Picture, FigureError> {
 }
 
 fn detectors(results: &[SeedResult]) -> Result<Picture, FigureError> {
-    let pool =
-        |reactions: fn(&SeedResult) -> &[Reaction], of: fn(&Scores) -> &Vec<f64>| -> Vec<f64> {
-            let reactions = results.iter().flat_map(reactions);
-            reactions
-                .flat_map(|reaction| of(&reaction.scores))
-                .copied()
-                .collect()
-        };
-    let scores: [(&str, fn(&Scores) -> &Vec<f64>); 3] = [
+    let pool = |reactions: fn(&SeedResult) -> &[Reaction], of: Score| -> Vec<f64> {
+        let reactions = results.iter().flat_map(reactions);
+        reactions
+            .flat_map(|reaction| of(&reaction.scores))
+            .copied()
+            .collect()
+    };
+    let scores: [(&str, Score); 3] = [
         ("distance, by node", |scores| &scores.distance),
         ("distance, as it is", |scores| &scores.raw_distance),
         ("total activation (book)", |scores| &scores.literal),

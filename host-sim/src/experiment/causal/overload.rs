@@ -108,7 +108,7 @@ fn react(
         let clean = launching.frames(draw(rng));
         let disturbed = noise.map_or_else(|| clean.clone(), |noise| noise.disturb(&clean, rng));
         let view = causal.view(&launching.jittered(&disturbed, rng));
-        reaction.rates.add(&view, share);
+        reaction.rates.count(&view);
         reaction.scores.distance.push(f64::from(view.distance[2]));
         reaction.scores.raw_distance.push(f64::from(view.farthest));
         reaction.scores.literal.push(f64::from(view.total[2]));
@@ -121,14 +121,16 @@ fn react(
             *mean += share * f64::from(total) / f64::from(view.steps);
         }
     }
+    reaction.rates.divide(f64::from(events));
     reaction
 }
 
 impl Rates {
-    fn add(&mut self, view: &View, share: f64) {
+    /// Counts one event.
+    fn count(&mut self, view: &View) {
         let alarms = |strain: f32| strain > 1.0;
         let overloaded = [0, 1, 2].map(|l| alarms(view.distance[l]) || alarms(view.order[l]));
-        let count = |rate: &mut f64, alarm: bool| *rate += if alarm { share } else { 0.0 };
+        let count = |rate: &mut f64, alarm: bool| *rate += f64::from(u8::from(alarm));
         for (layer, &overloaded) in overloaded.iter().enumerate() {
             count(&mut self.distance[layer], alarms(view.distance[layer]));
             count(&mut self.order[layer], alarms(view.order[layer]));
@@ -139,5 +141,22 @@ impl Rates {
         let [position, movement, top] = overloaded;
         let answer = answering_level([position && movement, top]);
         count(&mut self.fallback, answer == Some(Level(1)));
+    }
+
+    /// Turns counts into shares of so many events.
+    fn divide(&mut self, events: f64) {
+        let layers = [
+            &mut self.distance,
+            &mut self.order,
+            &mut self.literal,
+            &mut self.overloaded,
+        ];
+        for rate in layers
+            .into_iter()
+            .flatten()
+            .chain([&mut self.any, &mut self.fallback])
+        {
+            *rate /= events;
+        }
     }
 }
