@@ -123,7 +123,7 @@ impl AgentConfig {
         harvest: HarvestConfig::FORAGER,
         values: ValueConfig::FORAGER,
         values_per_step: 4,
-        forgetting: 0.005,
+        forgetting: 0.01,
         training_run: 50,
         rule: ChoiceRule::ExpectedValue,
         escape: Some(Escape {

@@ -1,7 +1,7 @@
 //! How a brain lives in a world: the loop of sensing, choosing, acting and learning.
 
 use cla_core::clasm::{AgentError, ItemSet, ItemStates};
-use cla_core::forager::pioneer::{Brain, Percept};
+use cla_core::forager::pioneer::{Action, Brain, Item, Percept};
 
 use crate::world::{self, World};
 
@@ -28,6 +28,28 @@ pub fn percept(now: &world::Percept) -> Percept {
     ItemStates::from_sets(&narrow(now.on()), &narrow(now.off()))
 }
 
+/// Lets the body's reflexes run; the brain observes each as the action that it ends with.
+///
+/// The book's reflexes (6.2.1): what is in the gripper is gripped; a bumped robot backs and turns
+/// around.
+/// A brain that did not see them would take a bump for the end of the world: no action would ever
+/// have followed one.
+fn feel_reflexes(brain: &mut Brain, world: &mut dyn World) -> Result<(), AgentError> {
+    loop {
+        let before = percept(&world.sense());
+        if !world.reflex() {
+            return Ok(());
+        }
+        let gripped = before.get(Item::ingrip.id()) == Some(true);
+        let action = if gripped {
+            Action::grip
+        } else {
+            Action::turnaround
+        };
+        brain.observe(&before, action.id(), &percept(&world.sense()))?;
+    }
+}
+
 /// Lets a brain do up to `actions` actions; reflexes run in between and are not counted.
 ///
 /// # Errors
@@ -40,7 +62,7 @@ pub fn live(brain: &mut Brain, world: &mut dyn World, actions: u32) -> Result<Ta
         let choice = brain.choose(&now)?;
         world.act(usize::from(choice.action.0));
         brain.learn(&percept(&world.sense()))?;
-        while world.reflex() {}
+        feel_reflexes(brain, world)?;
         done += 1;
     }
     Ok(Tally {
