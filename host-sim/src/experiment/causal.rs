@@ -10,6 +10,7 @@ mod figures;
 pub mod measure;
 pub mod network;
 pub mod overload;
+mod tables;
 
 use cla_core::num::Rng;
 

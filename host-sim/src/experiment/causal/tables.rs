@@ -1,0 +1,176 @@
+//! The tables beside the claims of chapter 4.
+
+use serde_json::{Value, json};
+
+use super::SeedResult;
+use super::claims::{Control, of};
+use super::measure::Differences;
+use super::network::{LAYERS, PerLayer};
+use super::overload::{Overload, Reaction};
+use crate::report::{Summary, Table, mean, sample_sd};
+use crate::world::launching::{Event, Noise};
+
+/// Adds all tables to the summary.
+pub(super) fn add(summary: &mut Summary, results: &[SeedResult]) {
+    summary.table("differences at the Top layer", differences_table(results));
+    summary.table("controls", controls_table(results));
+    summary.table("special nodes of the Top layer", special_table(results));
+    summary.table(
+        "settled after this share of training",
+        settled_table(results),
+    );
+    summary.table("alarms by kind of event", alarms_table(results));
+    summary.table("found by disturbed event", found_table(results));
+}
+
+fn spread(values: &[f64]) -> [Value; 2] {
+    [rounded(mean(values)), rounded(sample_sd(values))]
+}
+
+/// Three decimals: tables are read, claims are compared.
+fn rounded(value: f64) -> Value {
+    json!((value * 1000.0).round() / 1000.0)
+}
+
+fn differences_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&["events", "mean", "sd", "book mean", "book sd"]);
+    let mut row = |name: &str, book: [Value; 2], of_it: fn(&Differences) -> f64| {
+        let values = of(results, |result| of_it(&result.trained.differences()));
+        table.row([json!(name)].into_iter().chain(spread(&values)).chain(book));
+    };
+    let unknown = || [Value::Null, Value::Null];
+    row("Direct – Delay+Gap", [json!(9.66), json!(1.16)], |d| {
+        d.direct_delaygap
+    });
+    row("Direct – Gap", [json!(8.20), json!(0.56)], |d| {
+        d.direct_gap
+    });
+    row("Direct – Delay", unknown(), |d| d.direct_delay);
+    row("Delay – Gap", [json!(5.38), json!(1.00)], |d| d.delay_gap);
+    table
+}
+
+fn controls_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&[
+        "network",
+        "Direct–Delay+Gap / Delay–Gap",
+        "Direct–Gap / Delay–Gap",
+        "full pattern",
+        "special: Direct",
+        "Delay",
+        "Gap",
+        "Delay+Gap",
+    ]);
+    let networks: [(&str, Control); 5] = [
+        ("trained", |r| &r.trained),
+        ("staged", |r| &r.staged),
+        ("equal frequencies", |r| &r.uniform),
+        ("Delay 85 %", |r| &r.mostly_delay),
+        ("untrained", |r| &r.untrained),
+    ];
+    for (name, network) in networks {
+        let differences = of(results, |result| network(result).differences());
+        let below = mean(&differences.iter().map(|d| d.delay_gap).collect::<Vec<_>>());
+        let ratio = |of: fn(&Differences) -> f64| {
+            rounded(mean(&differences.iter().map(of).collect::<Vec<_>>()) / below)
+        };
+        let pattern = of(results, |r| {
+            f64::from(u8::from(network(r).has_full_pattern()))
+        });
+        let nodes = |event: Event| {
+            rounded(mean(&of(results, |r| {
+                f64::from(network(r).special_nodes()[event as usize])
+            })))
+        };
+        let ratios = [ratio(|d| d.direct_delaygap), ratio(|d| d.direct_gap)];
+        table.row(
+            [json!(name)]
+                .into_iter()
+                .chain(ratios)
+                .chain([rounded(mean(&pattern))])
+                .chain(Event::ALL.map(nodes)),
+        );
+    }
+    table
+}
+
+fn special_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&["seed", "Direct", "Delay", "Gap", "Delay+Gap"]);
+    for result in results {
+        let nodes = result.trained.special_nodes().map(|count| json!(count));
+        table.row([json!(result.seed)].into_iter().chain(nodes));
+    }
+    table
+}
+
+fn settled_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&["layer", "mean", "sd"]);
+    for (layer, name) in LAYERS.into_iter().enumerate() {
+        let shares = of(results, |result| result.settled[layer]);
+        table.row([json!(name)].into_iter().chain(spread(&shares)));
+    }
+    table
+}
+
+fn alarms_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&[
+        "events",
+        "distance: Position",
+        "Movement",
+        "Top",
+        "order: Movement",
+        "Top",
+        "any",
+        "falls back to Level 1",
+        "literal: Position",
+        "Movement",
+        "Top",
+    ]);
+    let mut row = |name: String, reaction: &dyn Fn(&Overload) -> Reaction| {
+        let rates = of(results, |result| reaction(&result.overload).rates);
+        let layers = |of_it: fn(&super::overload::Rates) -> PerLayer<f64>| {
+            [0, 1, 2].map(|layer| {
+                rounded(mean(
+                    &rates.iter().map(|r| of_it(r)[layer]).collect::<Vec<_>>(),
+                ))
+            })
+        };
+        let one = |of_it: fn(&super::overload::Rates) -> f64| {
+            rounded(mean(&rates.iter().map(of_it).collect::<Vec<_>>()))
+        };
+        let [_, movement, top] = layers(|rates| rates.order);
+        table.row(
+            [json!(name)]
+                .into_iter()
+                .chain(layers(|rates| rates.distance))
+                .chain([
+                    movement,
+                    top,
+                    one(|rates| rates.any),
+                    one(|rates| rates.fallback),
+                ])
+                .chain(layers(|rates| rates.literal)),
+        );
+    };
+    row("clean".to_owned(), &|overload| overload.clean.clone());
+    row("Noisy Direct".to_owned(), &|overload| {
+        overload.noisy.clone()
+    });
+    for (kind, noise) in Noise::ALL.into_iter().enumerate() {
+        row(noise.to_string(), &|overload| overload.kinds[kind].clone());
+    }
+    table
+}
+
+fn found_table(results: &[SeedResult]) -> Table {
+    let mut table = Table::new(&["disturbance", "Direct", "Delay", "Gap", "Delay+Gap"]);
+    for (kind, noise) in Noise::ALL.into_iter().enumerate() {
+        let found = [0, 1, 2, 3].map(|event| {
+            rounded(mean(&of(results, |result| {
+                result.overload.found[kind][event]
+            })))
+        });
+        table.row([json!(noise.to_string())].into_iter().chain(found));
+    }
+    table
+}
