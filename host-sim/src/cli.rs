@@ -34,7 +34,7 @@ pub enum Command {
 /// Where the files of a run go.
 #[derive(Clone, Debug, Args)]
 pub struct OutArgs {
-    /// Directory for summary.json and the figures [default: runs/<experiment>].
+    /// Directory for summary.json and the figures [default: `runs/` and its name].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

@@ -35,10 +35,14 @@ impl Source {
             })
     }
 
-    /// As [`code`](Self::code), up to the tests at the file's end.
+    /// As [`code`](Self::code), up to the tests at the file's end; nothing of a file of tests.
     pub fn code_without_tests(&self) -> impl Iterator<Item = (usize, &str)> {
         let tests = self.text.find("#[cfg(test)]\nmod tests");
-        let lines = tests.map_or(usize::MAX, |at| self.text[..at].lines().count());
+        let lines = match tests {
+            Some(at) => self.text[..at].lines().count(),
+            None if self.path.ends_with("_tests.rs") => 0,
+            None => usize::MAX,
+        };
         self.code().take_while(move |(number, _)| *number <= lines)
     }
 }

@@ -17,8 +17,11 @@ use crate::report::Results;
 /// Actions of training between two tests (book, 6.2.4).
 pub const SNAPSHOT: u32 = 1000;
 
-/// Number in the book, text, printed reliability with its deviation; all generated in every run.
-pub const BOOK_SCHEMAS: [(&str, &str, Option<(f64, f64)>); 8] = [
+/// Number in the book, text, printed reliability with its deviation.
+pub type BookSchema = (&'static str, &'static str, Option<(f64, f64)>);
+
+/// Schemas that the book prints; all generated in every run.
+pub const BOOK_SCHEMAS: [BookSchema; 8] = [
     ("6_1", "+s1/turnl/+s2", Some((0.286, 0.012))),
     ("6_2", "+s3/forward/+s3", Some((0.351, 0.012))),
     ("6_3", "+s3/forward/+s3+ingrip", None),

@@ -21,7 +21,7 @@ struct Fixture {
 }
 
 fn fixture() -> Fixture {
-    serde_json::from_str(include_str!("fixtures/minisom.json")).expect("the fixture is whole")
+    serde_json::from_str(include_str!("../fixtures/minisom.json")).expect("the fixture is whole")
 }
 
 fn trained(fixture: &Fixture) -> DenseSom<8, 6, 4> {

@@ -1,0 +1,237 @@
+//! Tests of the agent's life.
+
+use super::{Adaptation, AgentError, Reason, Stage};
+use crate::clasm::{
+    ActionId, AgentConfig, ChoiceRule, ConfigError, Escape, ItemId, ItemStates, Vocabulary,
+};
+use std::boxed::Box;
+
+/// A corridor of four cells; the last one holds what is valuable and leads back to the first.
+type Walker = super::Agent<1, 4, 6, 6, 2, 64, 256>;
+
+const WORDS: Vocabulary = Vocabulary {
+    items: &["a", "b", "c", "gold"],
+    actions: &["on", "back"],
+};
+
+struct Corridor(u16);
+
+impl Corridor {
+    fn sense(&self) -> ItemStates<1> {
+        let mut now = ItemStates::all_off(4);
+        now.set(ItemId(self.0), Some(true)).unwrap();
+        now
+    }
+
+    fn act(&mut self, action: ActionId) {
+        self.0 = match action {
+            _ if self.0 == 3 => 0,
+            ActionId(0) => self.0 + 1,
+            _ => self.0.saturating_sub(1),
+        };
+    }
+}
+
+fn walker(config: AgentConfig, seed: u64) -> Box<Walker> {
+    let mut agent = Box::new(Walker::new());
+    agent.begin(config, seed).unwrap();
+    agent
+        .knowledge_mut()
+        .set_inherent_value(ItemId(3), 10.0)
+        .unwrap();
+    agent
+}
+
+/// Lives for `steps`; returns how often the valuable cell was reached.
+fn live(agent: &mut Walker, world: &mut Corridor, steps: u32) -> u32 {
+    let mut rewards = 0;
+    for _ in 0..steps {
+        let choice = agent.choose(&world.sense()).unwrap();
+        world.act(choice.action);
+        let lesson = agent.learn(&world.sense()).unwrap();
+        rewards += u32::from(lesson.reward > 0.0);
+    }
+    rewards
+}
+
+#[test]
+fn both_rules_learn_the_shortest_way_of_a_certain_world() {
+    for rule in [ChoiceRule::Lexicographic, ChoiceRule::ExpectedValue] {
+        let config = AgentConfig {
+            rule,
+            ..AgentConfig::FORAGER
+        };
+        let (mut agent, mut world) = (walker(config, 3), Corridor(0));
+        live(&mut agent, &mut world, 2000);
+        agent.act(Adaptation::Frozen).unwrap();
+        world.0 = 0;
+        // Three steps there, one back: chance needs about twelve.
+        assert_eq!(live(&mut agent, &mut world, 400), 100, "{rule:?}");
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_life_and_another_seed_another() {
+    let life = |seed| {
+        let (mut agent, mut world) = (walker(AgentConfig::FORAGER, seed), Corridor(0));
+        let rewards = live(&mut agent, &mut world, 700);
+        (rewards, agent.knowledge().clone())
+    };
+    assert_eq!(life(5), life(5));
+    assert_ne!(life(5), life(6));
+}
+
+#[test]
+fn calls_out_of_turn_are_refused_and_change_nothing() {
+    let mut agent = Box::new(Walker::new());
+    let now = Corridor(0).sense();
+    assert_eq!(agent.choose(&now), Err(AgentError::NotBegun));
+    assert_eq!(agent.learn(&now), Err(AgentError::NotBegun));
+    assert_eq!(agent.act(Adaptation::Frozen), Err(AgentError::NotBegun));
+    assert_eq!(agent.stage(), Stage::Unborn);
+    let mut agent = walker(AgentConfig::FORAGER, 1);
+    assert_eq!(agent.learn(&now), Err(AgentError::NothingChosen));
+    let unknown = agent.observe(&now, ActionId(2), &now);
+    assert_eq!(unknown, Err(AgentError::NoSuchAction(ActionId(2))));
+    assert_eq!(
+        agent.bank().maps().each_ref().map(|map| map.samples()),
+        [0, 0]
+    );
+}
+
+#[test]
+fn a_bad_configuration_is_refused_by_name_and_the_old_life_goes_on() {
+    let mut agent = walker(AgentConfig::FORAGER, 1);
+    let mut world = Corridor(0);
+    live(&mut agent, &mut world, 600);
+    let before = agent.knowledge().clone();
+    let nan = AgentConfig {
+        forgetting: f32::NAN,
+        ..AgentConfig::FORAGER
+    };
+    assert_eq!(agent.begin(nan, 1), Err(ConfigError::Forgetting));
+    let never = AgentConfig {
+        training_run: 0,
+        ..AgentConfig::FORAGER
+    };
+    assert_eq!(agent.begin(never, 1), Err(ConfigError::NoActions));
+    assert_eq!(*agent.knowledge(), before);
+}
+
+#[test]
+fn a_frozen_agent_learns_nothing_and_an_adapting_one_no_new_schema() {
+    let mut agent = walker(AgentConfig::FORAGER, 2);
+    let mut world = Corridor(0);
+    live(&mut agent, &mut world, 1000);
+    let mut frozen = agent.clone();
+    frozen.act(Adaptation::Frozen).unwrap();
+    let before = frozen.knowledge().clone();
+    live(&mut frozen, &mut world, 300);
+    // Only what held at the last look may differ; the records must not.
+    assert_eq!(frozen.knowledge().schemas(), before.schemas());
+    agent.act(Adaptation::Reliabilities).unwrap();
+    let (schemas, samples) = (
+        agent.knowledge().schemas().len(),
+        agent.bank().maps()[0].samples(),
+    );
+    let trials = |agent: &Walker| -> u32 {
+        agent
+            .knowledge()
+            .schemas()
+            .iter()
+            .map(|s| s.reliability.activations())
+            .sum()
+    };
+    let trials_before = trials(&agent);
+    live(&mut agent, &mut world, 300);
+    assert_eq!(agent.knowledge().schemas().len(), schemas);
+    assert_eq!(agent.bank().maps()[0].samples(), samples);
+    assert!(trials(&agent) >= trials_before + 300);
+}
+
+#[test]
+fn a_long_time_without_reward_ends_in_a_burst_of_random_actions() {
+    let escape = Some(Escape {
+        after: 20,
+        burst: 5,
+    });
+    let config = AgentConfig {
+        escape,
+        greedy_share: 1.0,
+        ..AgentConfig::FORAGER
+    };
+    let mut agent = walker(config, 4);
+    let now = Corridor(0).sense();
+    let reasons: std::vec::Vec<Reason> = (0..50)
+        .map(|_| {
+            let choice = agent.choose(&now).unwrap();
+            agent.learn(&now).unwrap();
+            choice.reason
+        })
+        .collect();
+    let bursts = |range: core::ops::Range<usize>| {
+        reasons[range]
+            .iter()
+            .filter(|&&reason| reason == Reason::Escape)
+            .count()
+    };
+    assert_eq!(
+        (
+            bursts(0..20),
+            bursts(20..25),
+            bursts(25..40),
+            bursts(40..45)
+        ),
+        (0, 5, 0, 5)
+    );
+}
+
+#[test]
+fn training_is_by_value_in_runs_and_in_the_configured_share() {
+    let config = AgentConfig {
+        training_run: 10,
+        escape: None,
+        ..AgentConfig::FORAGER
+    };
+    let (mut agent, mut world) = (walker(config, 9), Corridor(0));
+    live(&mut agent, &mut world, 1000);
+    let mut explored = std::vec::Vec::new();
+    for _ in 0..4000 {
+        let choice = agent.choose(&world.sense()).unwrap();
+        explored.push(choice.reason == Reason::Exploration);
+        world.act(choice.action);
+        agent.learn(&world.sense()).unwrap();
+    }
+    let share = explored.iter().filter(|&&it| !it).count() as f32 / 4000.0;
+    assert!((0.14..0.26).contains(&share), "{share}");
+    assert!(
+        explored
+            .chunks(10)
+            .all(|run| run.iter().all(|&it| it == run[0]))
+    );
+}
+
+#[test]
+fn an_action_that_does_not_complete_teaches_nothing() {
+    let mut agent = walker(AgentConfig::FORAGER, 1);
+    let now = Corridor(1).sense();
+    agent.choose(&now).unwrap();
+    agent.choose(&now).unwrap();
+    agent.learn(&now).unwrap();
+    let samples: u32 = agent.bank().maps().iter().map(|map| map.samples()).sum();
+    assert_eq!(samples, 1);
+}
+
+#[test]
+fn schemas_are_written_in_the_books_notation() {
+    use crate::clasm::{Detail, SchemaId};
+    use std::string::ToString;
+    let (mut agent, mut world) = (walker(AgentConfig::FORAGER, 3), Corridor(0));
+    live(&mut agent, &mut world, 1000);
+    let knowledge = agent.knowledge();
+    let found = (0..knowledge.schemas().len()).any(|index| {
+        let text = knowledge.text(SchemaId(index as u16)).unwrap();
+        text.display(&WORDS, Detail::Abbreviated).to_string() == "+c/on/+gold"
+    });
+    assert!(found);
+}

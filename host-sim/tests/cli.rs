@@ -1,0 +1,130 @@
+//! The program as its user meets it: exit codes, sentences, and what is on disk afterwards.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+/// A folder of this test's own, removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("host-sim-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).expect("the folder can be made");
+        Self(path)
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).expect("the folder can be read");
+        let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
+        entries.flatten().map(name).collect()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // What the system cannot remove now it removes with its temporary files.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn program(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
+    command.args(arguments).current_dir(folder);
+    command.stdin(Stdio::null());
+    command
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let output = program(folder, arguments).output();
+    output.expect("the program starts")
+}
+
+#[test]
+fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() {
+    let folder = Folder::new("impossible");
+    fs::write(folder.0.join("outside.txt"), "9 9\n").expect("a layout");
+    fs::write(folder.0.join("malformed.txt"), "1 one\n").expect("a layout");
+    for arguments in [
+        &["--colour"][..],
+        &["fly"],
+        &["forage", "--seeds", "20..10"],
+        &["forage", "--seeds", "ten"],
+        &["forage", "--specimens", "0"],
+        &["forage", "--specimens", "many"],
+        &["forage", "--radius", "1", "--specimens", "900"],
+        &["forage", "--drop-out", "NaN"],
+        &["forage", "--step-noise=-1"],
+        &["forage", "--world", "mars"],
+        &["forage", "--actions", "0"],
+        &["forage", "--layout", "outside.txt"],
+        &["forage", "--layout", "malformed.txt"],
+        &["forage", "--layout", "none.txt"],
+        &["calibrate", "--seeds", "1..2"],
+    ] {
+        let output = run(&folder.0, arguments);
+        let sentence = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {sentence}");
+        assert_eq!(sentence.lines().count(), 1, "{arguments:?}: {sentence}");
+        assert!(sentence.starts_with("host-sim: "), "{sentence}");
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+    }
+    assert_eq!(folder.names().len(), 2, "{:?}", folder.names());
+}
+
+#[test]
+fn a_run_that_cannot_write_says_so_before_it_trains() {
+    let folder = Folder::new("unwritable");
+    fs::write(folder.0.join("taken"), "a file").expect("a file");
+    let started = std::time::Instant::now();
+    let output = run(
+        &folder.0,
+        &["forage", "--seeds", "0..1000", "--out", "taken"],
+    );
+    let sentence = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{sentence}");
+    assert!(sentence.contains("cannot write to taken"), "{sentence}");
+    assert!(started.elapsed() < Duration::from_secs(5));
+}
+
+#[test]
+fn an_interrupted_run_leaves_whole_files_or_none() {
+    let folder = Folder::new("interrupted");
+    let mut child = program(
+        &folder.0,
+        &["forage", "--seeds", "0..1000", "--out", "here"],
+    )
+    .stdout(Stdio::null())
+    .stderr(Stdio::null())
+    .spawn()
+    .expect("the program starts");
+    std::thread::sleep(Duration::from_millis(500));
+    assert_eq!(
+        child.try_wait().expect("it can be asked"),
+        None,
+        "it trains"
+    );
+    child.kill().expect("it can be killed");
+    child.wait().expect("it ends");
+    let left = fs::read_dir(folder.0.join("here")).expect("it was prepared");
+    assert_eq!(left.count(), 0);
+}
+
+#[test]
+fn calibrate_writes_its_claims_and_pictures_and_shows_them() {
+    let folder = Folder::new("calibrate");
+    let output = run(&folder.0, &["calibrate", "--out", "here"]);
+    assert!(output.status.success());
+    assert!(String::from_utf8_lossy(&output.stdout).contains("calibrate.actions.R5_f0_5"));
+    let here = folder.0.join("here");
+    let summary = fs::read_to_string(here.join("summary.json")).expect("a claims file");
+    let summary = host_sim::report::Summary::from_json(&summary).expect("a summary");
+    assert_eq!(summary.command, "host-sim calibrate --out here");
+    assert!(summary.find("calibrate.p_s3.R3_f0_1").is_some());
+    for name in ["actions.svg", "actions.png", "p-s3.svg", "p-s3.png"] {
+        assert!(here.join(name).is_file(), "{name}");
+    }
+    // Without a terminal there is no progress bar.
+    assert!(output.stderr.is_empty());
+}
