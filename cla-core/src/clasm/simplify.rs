@@ -30,7 +30,7 @@ use super::simple_schema::SimpleSchema;
 ///     Transition { before: set(&["here", "noise"]), after: set(&["there", "noise"]) },
 ///     Transition { before: set(&[]), after: set(&[]) },
 /// ];
-/// let simple: Vec<_> = simplify(&schema, &samples, &GrowthConfig::EXACT)
+/// let simple: Vec<SchemaText<1>> = simplify(&schema, &samples, &GrowthConfig::EXACT)
 ///     .map(|it| it.text())
 ///     .collect();
 /// let expected = ["+here/go/+there", "/go/-here"].map(|text| SchemaText::parse(text, &words).unwrap());
