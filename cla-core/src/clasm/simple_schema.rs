@@ -164,6 +164,15 @@ impl SimpleSchema {
         }
     }
 
+    /// Whether both say the same, whatever their trials.
+    #[must_use]
+    pub fn says_as(&self, other: &Self) -> bool {
+        self.context == other.context
+            && self.result == other.result
+            && self.signs == other.signs
+            && self.action == other.action
+    }
+
     /// Whether this says the same as the other of more states: same action and result, and every
     /// context item stands in the other's context.
     #[must_use]

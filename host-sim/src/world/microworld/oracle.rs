@@ -54,7 +54,8 @@ impl StateSet {
         }
     }
 
-    fn keep(&mut self, other: &Self) {
+    /// Keeps the states that are in the other set too.
+    pub fn keep(&mut self, other: &Self) {
         self.combine(other, |a, b| a & b);
     }
 
@@ -62,7 +63,8 @@ impl StateSet {
         self.combine(other, |a, b| a & !b);
     }
 
-    fn add(&mut self, other: &Self) {
+    /// Adds the states of the other set.
+    pub fn add(&mut self, other: &Self) {
         self.combine(other, |a, b| a | b);
     }
 }
@@ -124,6 +126,7 @@ impl Recall {
 #[derive(Clone, Debug)]
 pub struct Oracle {
     states: Vec<State>,
+    index: BTreeMap<State, usize>,
     items: Vec<Items>,
     /// `successors[state][action]`.
     successors: Vec<[usize; ACTIONS.len()]>,
@@ -171,6 +174,7 @@ impl Oracle {
         }
         Self {
             states,
+            index,
             items,
             successors,
             on,
@@ -182,6 +186,12 @@ impl Oracle {
     #[must_use]
     pub fn states(&self) -> &[State] {
         &self.states
+    }
+
+    /// The number of a state; `None` when it cannot be reached.
+    #[must_use]
+    pub fn index(&self, state: &State) -> Option<usize> {
+        self.index.get(state).copied()
     }
 
     /// The items that are on in a state.
@@ -208,6 +218,22 @@ impl Oracle {
         let mut set = StateSet::empty(self.states.len());
         (0..self.states.len()).for_each(|state| set.insert(state));
         set
+    }
+
+    /// No state.
+    #[must_use]
+    pub fn nowhere(&self) -> StateSet {
+        StateSet::empty(self.states.len())
+    }
+
+    /// The states in which a schema of a primitive action applies and its result holds afterwards.
+    ///
+    /// # Panics
+    /// When the action is not a primitive one.
+    #[must_use]
+    pub fn where_succeeds(&self, schema: &SchemaText<WORDS>) -> StateSet {
+        let on_after = &self.on_after[usize::from(schema.action.0)];
+        self.filter(self.where_holds(&schema.context), &schema.result, on_after)
     }
 
     /// The states in which a conjunction holds.
@@ -239,10 +265,8 @@ impl Oracle {
     /// When the action is not a primitive one.
     #[must_use]
     pub fn reliability(&self, schema: &SchemaText<WORDS>) -> Option<f64> {
-        let applicable = self.where_holds(&schema.context);
-        let all = applicable.len();
-        let on_after = &self.on_after[usize::from(schema.action.0)];
-        let successes = self.filter(applicable, &schema.result, on_after).len();
+        let all = self.where_holds(&schema.context).len();
+        let successes = self.where_succeeds(schema).len();
         (all > 0).then(|| share(successes, all))
     }
 
@@ -265,7 +289,7 @@ impl Oracle {
     pub fn predicted(&self, schemas: &[SchemaText<WORDS>]) -> Recall {
         let mut recall = Recall::default();
         for action in 0..ACTIONS.len() {
-            let nothing = StateSet::empty(self.states.len());
+            let nothing = self.nowhere();
             let mut turned = vec![[nothing.clone(), nothing.clone()]; ITEMS.len()];
             let own = schemas
                 .iter()

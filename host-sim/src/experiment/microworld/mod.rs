@@ -1,0 +1,5 @@
+//! The Microworld experiment (book, chapter 5): what is run, what is claimed.
+
+pub mod catalogue;
+pub mod goals;
+pub mod level1;
