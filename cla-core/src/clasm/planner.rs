@@ -275,6 +275,13 @@ impl<const WORDS: usize, const ITEMS: usize, const NODES: usize> Planner<WORDS, 
                 }
             }
         }
+        // No way was found: go where the goal seems nearest, and learn on the way what fails.
+        let nearest = (0_u16..)
+            .zip(&self.nodes)
+            .min_by_key(|(_, node)| (node.rest, node.cost));
+        if let Some((index, _)) = nearest {
+            self.trace_back(index);
+        }
     }
 
     fn remember(&mut self, on: &ItemSet<WORDS>, cost: u16, rest: u16, parent: u16, action: u8) {
