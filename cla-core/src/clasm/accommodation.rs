@@ -199,6 +199,36 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
         surprise
     }
 
+    /// Files a sample without testing schemas or growing any; the first step of
+    /// [`explain`](Self::explain).
+    pub fn remember(&mut self, action: ActionId, sample: &Transition<WORDS>, rng: &mut Rng) {
+        if let Some(reservoir) = self.reservoirs.get_mut(usize::from(action.0)) {
+            reservoir.offer(sample, 0, rng);
+        }
+    }
+
+    /// Grows a schema for the end state of one item in `seed`, from the items of `mode` alone.
+    ///
+    /// With a mode that the item does not belong to the schema is cross-modal: what is felt there
+    /// explains what is seen here (book, p. 140 of Drescher).
+    pub fn explain(
+        &mut self,
+        action: ActionId,
+        seed: &Transition<WORDS>,
+        item: ItemId,
+        mode: &ItemSet<WORDS>,
+        growth: &GrowthConfig,
+    ) -> Option<Entry> {
+        let reservoir = self.reservoirs.get(usize::from(action.0))?;
+        let conclusion = Conclusion {
+            action,
+            item,
+            sign: seed.after.contains(item),
+        };
+        let schema = grow(&seed.before, conclusion, reservoir.samples(), mode, growth)?;
+        Some(self.schemas.enter(schema))
+    }
+
     /// Forgets everything.
     pub fn clear(&mut self) {
         self.schemas.clear();

@@ -26,6 +26,9 @@ pub struct GrowthConfig {
     /// Weight of a negative item's gain against a positive one's, in `[0, 1]`: what is there says
     /// more than what is not. 0 grows no negative items.
     pub negatives: f32,
+    /// How much the agreement that an item leaves weighs against the contradictions that it rules
+    /// out, as a power: the higher, the more general the contexts.
+    pub generality: u8,
     /// The least number of remembered samples that agree with a schema; at least 1.
     pub support: u16,
 }
@@ -35,6 +38,7 @@ impl GrowthConfig {
     pub const EXACT: Self = Self {
         tolerance: 0.0,
         negatives: 0.7,
+        generality: 2,
         support: 1,
     };
     /// For worlds whose actions sometimes fail.
@@ -206,7 +210,7 @@ impl<const WORDS: usize> Growth<'_, WORDS> {
             } else {
                 self.config.negatives
             };
-            let gain = weight * gain(tally, left);
+            let gain = weight * gain(tally, left, self.config.generality);
             if gain > best.map_or(0.0, |(other, _)| other) {
                 best = Some((gain, item));
             }
@@ -236,13 +240,17 @@ impl<const WORDS: usize> Growth<'_, WORDS> {
 }
 
 /// What is won by going from one tally to a smaller one: the share of contradictions ruled out,
-/// times the square of the share of agreement that is left.
+/// times a power of the share of agreement that is left.
 ///
-/// The square makes general contexts: unsquared, a third more schemas cover the same changes.
-fn gain(before: Tally, after: Tally) -> f32 {
+/// Squared rather than plain, a third fewer schemas cover the same changes of the Microworld.
+fn gain(before: Tally, after: Tally, generality: u8) -> f32 {
     let agreement = (f32::from(after.agree) + 1.0) / (f32::from(before.agree) + 1.0);
     let ruled_out = f32::from(before.contradict - after.contradict) / f32::from(before.contradict);
-    agreement * agreement * ruled_out
+    let mut gain = ruled_out;
+    for _ in 0..generality {
+        gain *= agreement;
+    }
+    gain
 }
 
 fn holds<const WORDS: usize>(context: &SignedItems<WORDS>, on: &ItemSet<WORDS>) -> bool {

@@ -3,3 +3,4 @@
 pub mod catalogue;
 pub mod goals;
 pub mod level1;
+pub mod level2;
