@@ -18,6 +18,12 @@ pub const STEP_LIMIT: u16 = 20;
 /// The planner of the Microworld, in less than 8 kB.
 pub type Planning = Planner<WORDS, ITEM_COUNT, 300>;
 
+/// How it searches.
+pub const CONFIG: PlannerConfig = PlannerConfig {
+    actions: ACTION_COUNT as u8,
+    ..PlannerConfig::DEFAULT
+};
+
 /// How the next step is chosen.
 ///
 /// ```
@@ -118,10 +124,7 @@ pub fn pursue(
     planner: &mut Planning,
     strategy: Strategy,
 ) -> Course {
-    let config = PlannerConfig {
-        actions: ACTION_COUNT as u8,
-        ..PlannerConfig::DEFAULT
-    };
+    let config = CONFIG;
     let (mut state, mut course) = (start, Course::default());
     let mut on = perceive(&state);
     let mut attempt = Attempt::begin(goal, on, STEP_LIMIT);
