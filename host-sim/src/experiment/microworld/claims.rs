@@ -3,7 +3,7 @@
 use super::catalogue::{Found, equations};
 use super::goals::GOALS;
 use super::level2::Level2;
-use super::trial::{DRESCHER_STEPS, Growth, Trial};
+use super::trial::{BOUNDED_STEPS, DRESCHER_STEPS, Growth, Trial};
 use crate::report::{Bound, Claim, Expectation, Rule};
 
 /// Everything that the experiment claims.
@@ -246,7 +246,7 @@ fn head_to_head(trials: &[Trial]) -> Vec<Claim> {
         }
     }
     let ours = numbers(trials, |it| it.clasm.total());
-    let theirs = numbers(trials, |it| at(&it.bounded, 100_000, |it| it.recall));
+    let theirs = numbers(trials, |it| at(&it.bounded, BOUNDED_STEPS, |it| it.recall));
     claims.push(
         at_least(
             "micro.drescher.ratio.200kB",

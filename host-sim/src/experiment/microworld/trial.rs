@@ -26,6 +26,8 @@ pub const STEPS: u32 = 100_000;
 pub const EARLY: u32 = 10_000;
 /// Steps that Drescher's mechanism lives with unbounded memory (its time per step grows).
 pub const DRESCHER_STEPS: u32 = 10_000;
+/// Steps that it lives in bounded memory; full after the first 3,000, it changes no more.
+pub const BOUNDED_STEPS: u32 = 30_000;
 /// Steps that it lives literally.
 pub const LITERAL_STEPS: u32 = 3_000;
 /// The memory of the comparison at equal memory, bytes.
@@ -136,7 +138,7 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
                 memory: EQUAL_MEMORY,
                 ..DrescherConfig::RESTRICTED
             },
-            STEPS,
+            BOUNDED_STEPS,
         ),
     };
     ticker.advance(1);
