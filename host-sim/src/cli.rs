@@ -29,6 +29,8 @@ pub enum Command {
     Causal(CausalArgs),
     /// Learn angles as infants do: young networks see lines, old ones angles.
     Angle(AngleArgs),
+    /// An eye, a hand and a ball: schemas, goals and persistent objects (book, 5.4).
+    Microworld(MicroworldArgs),
 }
 
 /// Where the files of a run go.
@@ -124,6 +126,20 @@ pub struct AngleArgs {
     /// The seeds.
     #[command(flatten)]
     pub seeds: SeedArgs,
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `microworld`.
+#[derive(Clone, Debug, Args)]
+pub struct MicroworldArgs {
+    /// Which lives.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// Pursue this item, such as +hp22 or +taste1, and show the steps instead of the experiment.
+    #[arg(long, value_name = "+ITEM", allow_hyphen_values = true)]
+    pub goal: Option<String>,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,

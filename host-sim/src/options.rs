@@ -10,16 +10,19 @@ use cla_core::clasm::AgentConfig;
 use clap::Parser;
 
 use crate::cli::{
-    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, OutArgs, SeedArgs, WorldArgs,
+    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, MicroworldArgs, OutArgs,
+    SeedArgs, WorldArgs,
 };
 use crate::experiment::angle::{self, AngleConfig};
 use crate::experiment::calibrate;
 use crate::experiment::causal::{self, network::CausalConfig};
 use crate::experiment::forage::{self, ForageOptions};
+use crate::experiment::microworld::{self, MicroworldOptions};
 use crate::progress::Progress;
 use crate::report::Results;
 use crate::world::config::{AfterCapture, PioneerConfig};
 use crate::world::layout::Layout;
+use crate::world::microworld::item;
 use crate::world::pioneer::Pioneer;
 
 /// Most seeds of one run.
@@ -59,6 +62,8 @@ pub enum Job {
     Causal(Vec<u64>),
     /// See [`angle`]: the standard parameters with these seeds.
     Angle(Vec<u64>),
+    /// See [`microworld`].
+    Microworld(MicroworldOptions),
 }
 
 /// A job, and where its files go.
@@ -98,6 +103,10 @@ impl Order {
                 job: Job::Angle(seeds(args)?),
                 out: directory(out, "angle"),
             }),
+            Command::Microworld(args) => Ok(Self {
+                job: Job::Microworld(microworld_options(args)?),
+                out: directory(&args.out, "microworld"),
+            }),
         }
     }
 }
@@ -119,6 +128,7 @@ impl Job {
                 let study = angle::run(seeds, &AngleConfig::STANDARD, progress);
                 Ok(study.report()?)
             }
+            Self::Microworld(options) => microworld::run(options, progress),
         }
     }
 }
@@ -147,6 +157,22 @@ fn forage_options(args: &ForageArgs) -> Result<ForageOptions, Impossible> {
         options.world.build(seed)?;
     }
     Ok(options)
+}
+
+fn microworld_options(args: &MicroworldArgs) -> Result<MicroworldOptions, Impossible> {
+    let goal = match &args.goal {
+        None => None,
+        Some(text) => {
+            let named = text.strip_prefix('+').and_then(item);
+            let unknown =
+                || Impossible::new(format!("--goal takes +ITEM of Table 5.2, not {text:?}"));
+            Some(named.ok_or_else(unknown)?)
+        }
+    };
+    Ok(MicroworldOptions {
+        seeds: seeds(&args.seeds)?,
+        goal,
+    })
 }
 
 fn directory(args: &OutArgs, experiment: &str) -> PathBuf {

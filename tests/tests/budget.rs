@@ -8,6 +8,8 @@ use std::mem::{size_of, size_of_val};
 use cla_core::clasm::{ItemStates, Schema, SignedItems};
 use cla_core::forager::pioneer::{self, WORDS};
 use cla_core::num::Rng;
+use host_sim::experiment::microworld::goals::Planning;
+use host_sim::experiment::microworld::level1::{ByteBank, Clasm, FloatBank, Mind, SeededMind};
 
 /// Rows of a table: a structure, how many of them, bytes of all.
 type Rows = Vec<(&'static str, usize, usize)>;
@@ -39,6 +41,37 @@ fn forager() -> Rows {
         ),
         ("· percept", 1, size_of::<ItemStates<WORDS>>()),
         ("· random generator", 1, size_of::<Rng>()),
+    ]
+}
+
+/// The host profile keeps everything in `f32`; the other fits a part of 256 KiB.
+fn microworld() -> Rows {
+    let floats = size_of::<FloatBank>() + size_of::<Mind>() + size_of::<Planning>();
+    vec![
+        ("**host profile**", 1, floats),
+        ("· maps of 10 × 10 nodes, `f32`", 10, size_of::<FloatBank>()),
+        (
+            "· accommodation: 1500 schemas, 150 samples an action",
+            1,
+            size_of::<Mind>(),
+        ),
+        ("· planner: 300 states", 1, size_of::<Planning>()),
+        (
+            "**profile for 256 KiB**",
+            1,
+            Clasm::BYTES + size_of::<Planning>(),
+        ),
+        (
+            "· maps of 10 × 10 nodes, a byte a weight",
+            10,
+            size_of::<ByteBank>(),
+        ),
+        (
+            "· accommodation: 1250 schemas, 88 samples an action",
+            1,
+            size_of::<SeededMind>(),
+        ),
+        ("· planner: 300 states", 1, size_of::<Planning>()),
     ]
 }
 
@@ -78,6 +111,7 @@ fn the_budget_says_what_the_brain_costs() {
     let path = cla_tests::root().join("memory-budget.md");
     let text = fs::read_to_string(&path).expect("the budget can be read");
     let measured = with_table(&text, "forager", &markdown(&forager()));
+    let measured = with_table(&measured, "microworld", &markdown(&microworld()));
     if std::env::var_os("UPDATE_BUDGET").is_some() {
         fs::write(&path, measured).expect("the budget can be written");
     } else {
@@ -94,6 +128,14 @@ fn the_parts_of_the_brain_are_the_whole() {
     let parts: usize = [1, 3, 6].iter().map(|&row| rows[row].2).sum();
     assert_eq!(parts, rows[0].2);
     assert!(rows[2].2 <= rows[1].2 && rows[4].2 + rows[5].2 <= rows[3].2);
+}
+
+#[test]
+fn the_microworld_keeps_the_bounds_that_its_claims_name() {
+    let rows = microworld();
+    assert!(size_of::<Mind>() <= 64_000 && Clasm::BYTES <= 200_000);
+    assert!(size_of::<Planning>() <= 8_000);
+    assert!(rows[4].2 <= 256 * 1024 && rows[0].2 > rows[4].2);
 }
 
 #[test]

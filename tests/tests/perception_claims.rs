@@ -41,14 +41,14 @@ fn assert_same_measurements(again: &Summary, committed: &Summary) {
 
 #[test]
 fn a_seed_of_the_causal_study_gives_the_committed_numbers() {
-    let committed = committed(include_str!("claims/causal.json"));
+    let committed = committed(include_str!("../claims/causal.json"));
     let study = causal::run(&[113], &CausalConfig::standard(), &Progress::hidden());
     assert_same_measurements(&study.summary(), &committed);
 }
 
 #[test]
 fn three_seeds_of_the_angle_study_give_the_committed_numbers() {
-    let committed = committed(include_str!("claims/angle.json"));
+    let committed = committed(include_str!("../claims/angle.json"));
     let study = angle::run(
         &[100, 107, 119],
         &AngleConfig::STANDARD,
@@ -59,8 +59,8 @@ fn three_seeds_of_the_angle_study_give_the_committed_numbers() {
 
 #[test]
 fn only_the_literal_trigger_and_the_label_of_fig_4_7_miss_their_rule() {
-    let causal = committed(include_str!("claims/causal.json"));
-    let angle = committed(include_str!("claims/angle.json"));
+    let causal = committed(include_str!("../claims/causal.json"));
+    let angle = committed(include_str!("../claims/angle.json"));
     assert_eq!((causal.seeds.len(), angle.seeds.len()), (20, 20));
     let claims = causal.claims.iter().chain(&angle.claims);
     let missed: Vec<&str> = claims

@@ -7,7 +7,7 @@
 use super::action::ActionId;
 use super::sample::Sample;
 use crate::num::{Neighbourhood, Rng, Schedule};
-use crate::som::{BinarySom, Grid, NodeId, best_match};
+use crate::som::{BinarySom, Grid, NodeId, Prototypes, best_match};
 
 /// How Action SOMs are trained.
 ///
@@ -124,19 +124,26 @@ pub(super) struct MapScratch<const WIDTH: usize, const HEIGHT: usize> {
 /// # Ok::<(), cla_core::clasm::ItemOutOfRange>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct ActionSom<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize> {
-    context: BinarySom<WIDTH, HEIGHT, ITEMS>,
-    result: BinarySom<WIDTH, HEIGHT, ITEMS>,
+pub struct ActionSom<
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const ITEMS: usize,
+    M = BinarySom<WIDTH, HEIGHT, ITEMS>,
+> {
+    context: M,
+    result: M,
     wins: Grid<u16, WIDTH, HEIGHT>,
     recruited: Grid<bool, WIDTH, HEIGHT>,
     samples: u32,
 }
 
-impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize> ActionSom<WIDTH, HEIGHT, ITEMS> {
+impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<WIDTH, HEIGHT>>
+    ActionSom<WIDTH, HEIGHT, ITEMS, M>
+{
     const fn new() -> Self {
         Self {
-            context: BinarySom::new(),
-            result: BinarySom::new(),
+            context: M::ZERO,
+            result: M::ZERO,
             wins: Grid::filled(0),
             recruited: Grid::filled(false),
             samples: 0,
@@ -152,7 +159,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize> ActionSom<WIDT
     }
 
     /// All nodes in ascending order.
-    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + use<WIDTH, HEIGHT, ITEMS> {
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + use<WIDTH, HEIGHT, ITEMS, M> {
         (0..Grid::<f32, WIDTH, HEIGHT>::NODES as u16).map(NodeId)
     }
 
@@ -269,17 +276,34 @@ pub struct ActionSomBank<
     const HEIGHT: usize,
     const ITEMS: usize,
     const ACTIONS: usize,
+    M = BinarySom<WIDTH, HEIGHT, ITEMS>,
 > {
-    maps: [ActionSom<WIDTH, HEIGHT, ITEMS>; ACTIONS],
+    maps: [ActionSom<WIDTH, HEIGHT, ITEMS, M>; ACTIONS],
     scratch: MapScratch<WIDTH, HEIGHT>,
 }
 
 impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, const ACTIONS: usize>
     ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS>
 {
-    /// A bank of all-zero memory; call [`randomize`](Self::randomize) before training.
+    /// A bank of all-zero memory in the reference numerics; call [`randomize`](Self::randomize)
+    /// before training.
     #[must_use]
     pub const fn new() -> Self {
+        Self::zeroed()
+    }
+}
+
+impl<
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    M: Prototypes<WIDTH, HEIGHT>,
+> ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>
+{
+    /// As `new`, for weights of any kind.
+    #[must_use]
+    pub const fn zeroed() -> Self {
         Self {
             maps: [const { ActionSom::new() }; ACTIONS],
             scratch: MapScratch {
@@ -310,7 +334,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, const ACTIONS:
 
     /// The maps in the order of their actions.
     #[must_use]
-    pub const fn maps(&self) -> &[ActionSom<WIDTH, HEIGHT, ITEMS>; ACTIONS] {
+    pub const fn maps(&self) -> &[ActionSom<WIDTH, HEIGHT, ITEMS, M>; ACTIONS] {
         &self.maps
     }
 

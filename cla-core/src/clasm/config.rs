@@ -127,7 +127,7 @@ impl AgentConfig {
         training_run: 50,
         rule: ChoiceRule::ExpectedValue,
         escape: Some(Escape {
-            after: 60,
+            after: 100,
             burst: 10,
         }),
         ..Self::BOOK

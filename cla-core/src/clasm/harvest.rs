@@ -4,7 +4,7 @@ use super::action_som::ActionSom;
 use super::item::ItemId;
 use super::sample::ResultCoding;
 use super::signed_items::SignedItems;
-use crate::som::NodeId;
+use crate::som::{NodeId, Prototypes};
 
 /// Which weights become items of a schema.
 ///
@@ -64,8 +64,9 @@ pub fn harvest_node<
     const WIDTH: usize,
     const HEIGHT: usize,
     const ITEMS: usize,
+    M: Prototypes<WIDTH, HEIGHT>,
 >(
-    map: &ActionSom<WIDTH, HEIGHT, ITEMS>,
+    map: &ActionSom<WIDTH, HEIGHT, ITEMS, M>,
     node: NodeId,
     coding: ResultCoding,
     config: &HarvestConfig,
@@ -132,7 +133,7 @@ mod tests {
     fn end_states_and_changes_read_differently() {
         let read = |coding| {
             let bank = one_node(coding);
-            harvest_node::<1, 1, 1, 3>(&bank.maps()[0], NodeId(0), coding, &HarvestConfig::BOOK)
+            harvest_node::<1, 1, 1, 3, _>(&bank.maps()[0], NodeId(0), coding, &HarvestConfig::BOOK)
                 .unwrap()
         };
         let end = read(ResultCoding::EndState);
@@ -162,7 +163,7 @@ mod tests {
     fn a_node_that_never_won_is_passed_over_on_request() {
         let mut bank = ActionSomBank::<2, 2, 3, 1>::new();
         bank.randomize(&mut Rng::new(8));
-        let node = harvest_node::<1, 2, 2, 3>(
+        let node = harvest_node::<1, 2, 2, 3, _>(
             &bank.maps()[0],
             NodeId(0),
             ResultCoding::EndState,

@@ -143,6 +143,12 @@ impl<const WORDS: usize> ItemSet<WORDS> {
         self.combine(other, |a, b| a & !b)
     }
 
+    /// Items in exactly one of the sets.
+    #[must_use]
+    pub fn symmetric_difference(&self, other: &Self) -> Self {
+        self.combine(other, |a, b| a ^ b)
+    }
+
     /// Whether every item of this set is in the other.
     #[must_use]
     pub fn is_subset(&self, other: &Self) -> bool {

@@ -12,6 +12,7 @@ use super::reliability::{Estimate, Reliability};
 use super::sample::ResultCoding;
 use super::schema::{PatternId, Schema, SchemaId};
 use super::signed_items::SignedItems;
+use crate::som::Prototypes;
 
 /// A conjunction that stands in schemas, with what being there is worth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -202,9 +203,14 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     /// Reads every node of every map once.
     /// A new schema starts from the wins of its nodes among those of its context and action.
     /// Schemas that no node says any more leave.
-    pub fn harvest<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize>(
+    pub fn harvest<
+        const WIDTH: usize,
+        const HEIGHT: usize,
+        const ITEMS: usize,
+        M: Prototypes<WIDTH, HEIGHT>,
+    >(
         &mut self,
-        maps: &[ActionSom<WIDTH, HEIGHT, ITEMS>],
+        maps: &[ActionSom<WIDTH, HEIGHT, ITEMS, M>],
         coding: ResultCoding,
         config: &HarvestConfig,
     ) {

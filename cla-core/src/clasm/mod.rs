@@ -5,33 +5,49 @@
 //! `knowledge`) → `value` → `choice` → the whole (`config`, `agent`, `brain`).
 //! It stands on `som` and knows nothing of `layer`.
 
+mod accommodation;
 mod action;
 mod action_som;
 mod agent;
+mod base_rate;
 mod brain;
 mod choice;
+mod composite_action;
 mod config;
+mod grow;
 mod harvest;
 mod item;
 mod knowledge;
 mod notation;
+mod planner;
 mod reliability;
+mod reservoir;
 mod sample;
 mod schema;
 mod signed_items;
+mod simple_schema;
+mod simplify;
 mod value;
 
+pub use accommodation::{Accommodation, AccommodationConfig, Surprise};
 pub use action::{ActionId, Vocabulary};
 pub use action_som::{ActionSom, ActionSomBank, Recruitment, Trained, TrainingConfig};
 pub use agent::{Adaptation, Agent, AgentError, Choice, Lesson, Reason, Stage};
+pub use base_rate::BaseRates;
 pub use choice::{ChoiceRule, Preference};
+pub use composite_action::{Attempt, Progress, chain_backward};
 pub use config::{AgentConfig, ConfigError, Escape};
+pub use grow::GrowthConfig;
 pub use harvest::{HarvestConfig, HarvestedNode, harvest_node};
 pub use item::{ItemId, ItemOutOfRange, ItemSet, ItemStates, Items};
 pub use knowledge::{KnowledgeBase, Losses, Outcome, TableFull};
 pub use notation::{Detail, NotationError, SchemaText, Written};
+pub use planner::{Planner, PlannerConfig};
 pub use reliability::{Estimate, Reliability};
+pub use reservoir::{Reservoir, Transition};
 pub use sample::{ResultCoding, Sample};
 pub use schema::{PatternId, Schema, SchemaId};
 pub use signed_items::SignedItems;
+pub use simple_schema::{Entry, SimpleSchema, SimpleSchemas};
+pub use simplify::simplify;
 pub use value::{Appraisal, InherentValueError, ValueConfig};

@@ -48,6 +48,12 @@ impl<const WORDS: usize> SignedItems<WORDS> {
         Ok(())
     }
 
+    /// Takes an item out, whatever its sign.
+    pub fn remove(&mut self, item: ItemId) {
+        self.positive.remove(item);
+        self.negative.remove(item);
+    }
+
     /// Items that must be on.
     #[must_use]
     pub const fn positive(&self) -> &ItemSet<WORDS> {

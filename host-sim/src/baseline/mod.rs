@@ -3,6 +3,7 @@
 //! `random` draws any action; `sector` and `lock` are hand-coded visual servos for the Pioneer, the
 //! ones that drove the original simulator in `host-sim/data/stage`.
 
+pub mod drescher;
 pub mod lock;
 pub mod random;
 pub mod sector;

@@ -4,3 +4,4 @@ pub mod angle;
 pub mod calibrate;
 pub mod causal;
 pub mod forage;
+pub mod microworld;

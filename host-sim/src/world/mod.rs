@@ -7,6 +7,7 @@ pub mod config;
 pub mod geometry;
 pub mod launching;
 pub mod layout;
+pub mod microworld;
 pub mod pioneer;
 
 use cla_core::clasm::ItemStates;

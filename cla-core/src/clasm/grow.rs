@@ -1,0 +1,258 @@
+//! How the context of a schema grows from one sample against a memory of samples.
+//!
+//! Begin with the item's own prior state; while remembered samples contradict, add the signed item
+//! of the sample that rules out contradictions at the least cost; then take out what is not needed.
+//! Nothing here is stored, and the work is bounded by samples × context items.
+
+use super::action::ActionId;
+use super::item::{ItemId, ItemSet};
+use super::notation::SchemaText;
+use super::reservoir::Transition;
+use super::signed_items::SignedItems;
+use super::simple_schema::SimpleSchema;
+
+/// How contexts grow.
+///
+/// ```
+/// use cla_core::clasm::GrowthConfig;
+/// assert_eq!(GrowthConfig::EXACT.tolerance, 0.0);
+/// assert!(GrowthConfig::TOLERANT.tolerance > 0.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrowthConfig {
+    /// Share of the remembered samples to which a schema applies that may contradict it, in
+    /// `[0, 1)`; above 0 in a world where actions fail.
+    pub tolerance: f32,
+    /// Weight of a negative item's gain against a positive one's, in `[0, 1]`: what is there says
+    /// more than what is not. 0 grows no negative items.
+    pub negatives: f32,
+    /// How much the agreement that an item leaves weighs against the contradictions that it rules
+    /// out, as a power: the higher, the more general the contexts.
+    pub generality: u8,
+    /// The least number of remembered samples that agree with a schema; at least 1.
+    pub support: u16,
+}
+
+impl GrowthConfig {
+    /// For worlds whose actions always do the same.
+    pub const EXACT: Self = Self {
+        tolerance: 0.0,
+        negatives: 0.7,
+        generality: 2,
+        support: 1,
+    };
+    /// For worlds whose actions sometimes fail.
+    pub const TOLERANT: Self = Self {
+        tolerance: 0.1,
+        ..Self::EXACT
+    };
+}
+
+/// A conclusion to explain: this item was that afterwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Conclusion {
+    pub(super) action: ActionId,
+    pub(super) item: ItemId,
+    pub(super) sign: bool,
+}
+
+/// The state of a growing context.
+struct Growth<'a, const WORDS: usize> {
+    samples: &'a [Transition<WORDS>],
+    conclusion: Conclusion,
+    config: &'a GrowthConfig,
+}
+
+/// Samples that a context applies to: agreeing and contradicting.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Tally {
+    agree: u16,
+    contradict: u16,
+}
+
+/// The simplest context found that `seed` satisfies and the samples do not contradict; `None` when
+/// seven items are not enough or too few samples agree.
+///
+/// Only items of `eligible` may stand in the context.
+pub(super) fn grow<const WORDS: usize>(
+    seed: &ItemSet<WORDS>,
+    conclusion: Conclusion,
+    samples: &[Transition<WORDS>],
+    eligible: &ItemSet<WORDS>,
+    config: &GrowthConfig,
+) -> Option<SimpleSchema> {
+    let growth = Growth {
+        samples,
+        conclusion,
+        config,
+    };
+    let mut context = SignedItems::EMPTY;
+    if eligible.contains(conclusion.item) {
+        let prior = seed.contains(conclusion.item);
+        context.insert(conclusion.item, prior).ok()?;
+    }
+    let mut tally = growth.tally(&context);
+    while !growth.accepts(tally) {
+        if usize::from(context.len()) >= SimpleSchema::CONTEXT_ITEMS {
+            return None;
+        }
+        let best = growth.best_item(seed, eligible, &context, tally)?;
+        context.insert(best, seed.contains(best)).ok()?;
+        tally = growth.tally(&context);
+    }
+    if tally.agree < config.support {
+        return None;
+    }
+    let context = growth.prune(context);
+    growth.schema(context)
+}
+
+/// A harvested context reduced to what the samples need; `None` when even the whole context is
+/// contradicted, or what is left is more than seven items.
+pub(super) fn reduce<const WORDS: usize>(
+    context: SignedItems<WORDS>,
+    conclusion: Conclusion,
+    samples: &[Transition<WORDS>],
+    config: &GrowthConfig,
+) -> Option<SimpleSchema> {
+    let growth = Growth {
+        samples,
+        conclusion,
+        config,
+    };
+    let tally = growth.tally(&context);
+    if !growth.accepts(tally) || tally.agree < config.support {
+        return None;
+    }
+    let context = growth.prune(context);
+    growth.schema(context)
+}
+
+impl<const WORDS: usize> Growth<'_, WORDS> {
+    fn schema(&self, context: SignedItems<WORDS>) -> Option<SimpleSchema> {
+        let mut result = SignedItems::EMPTY;
+        result
+            .insert(self.conclusion.item, self.conclusion.sign)
+            .ok()?;
+        let mut schema = SimpleSchema::pack(&SchemaText {
+            context,
+            action: self.conclusion.action,
+            result,
+        })?;
+        let Tally { agree, contradict } = self.tally(&context);
+        schema.begin_with(agree, agree.saturating_add(contradict));
+        Some(schema)
+    }
+
+    fn agrees(&self, sample: &Transition<WORDS>) -> bool {
+        sample.after.contains(self.conclusion.item) == self.conclusion.sign
+    }
+
+    fn tally(&self, context: &SignedItems<WORDS>) -> Tally {
+        let mut tally = Tally::default();
+        for sample in self.samples.iter().filter(|it| holds(context, &it.before)) {
+            if self.agrees(sample) {
+                tally.agree = tally.agree.saturating_add(1);
+            } else {
+                tally.contradict = tally.contradict.saturating_add(1);
+            }
+        }
+        tally
+    }
+
+    fn accepts(&self, tally: Tally) -> bool {
+        let all = f32::from(tally.agree) + f32::from(tally.contradict);
+        f32::from(tally.contradict) <= self.config.tolerance * all
+    }
+
+    /// The item of the seed whose state rules out contradictions at the least loss of agreement;
+    /// `None` when no item rules out any.
+    fn best_item(
+        &self,
+        seed: &ItemSet<WORDS>,
+        eligible: &ItemSet<WORDS>,
+        context: &SignedItems<WORDS>,
+        tally: Tally,
+    ) -> Option<ItemId> {
+        let used = context.positive().union(context.negative());
+        let open = eligible.difference(&used);
+        let mut agree = [[0_u16; 32]; WORDS];
+        let mut contradict = [[0_u16; 32]; WORDS];
+        for sample in self.samples.iter().filter(|it| holds(context, &it.before)) {
+            let differs = seed.symmetric_difference(&sample.before);
+            let counts = if self.agrees(sample) {
+                &mut agree
+            } else {
+                &mut contradict
+            };
+            for item in open.difference(&differs).iter() {
+                let counts = counts.as_flattened_mut();
+                if let Some(count) = counts.get_mut(usize::from(item.0)) {
+                    *count = count.saturating_add(1);
+                }
+            }
+        }
+        let mut best: Option<(f32, ItemId)> = None;
+        for item in open.iter() {
+            let count = |counts: &[[u16; 32]; WORDS]| {
+                let counts = counts.as_flattened();
+                counts.get(usize::from(item.0)).copied().unwrap_or(0)
+            };
+            let left = Tally {
+                agree: count(&agree),
+                contradict: count(&contradict),
+            };
+            if left.contradict >= tally.contradict {
+                continue;
+            }
+            let weight = if seed.contains(item) {
+                1.0
+            } else {
+                self.config.negatives
+            };
+            let gain = weight * gain(tally, left, self.config.generality);
+            if gain > best.map_or(0.0, |(other, _)| other) {
+                best = Some((gain, item));
+            }
+        }
+        best.map(|(_, item)| item)
+    }
+
+    /// Takes out every item without which the samples still do not contradict, negatives first.
+    fn prune(&self, mut context: SignedItems<WORDS>) -> SignedItems<WORDS> {
+        for negatives in [true, false] {
+            let all = context;
+            let items = if negatives {
+                all.negative()
+            } else {
+                all.positive()
+            };
+            for item in items.iter() {
+                let mut without = context;
+                without.remove(item);
+                if self.accepts(self.tally(&without)) {
+                    context = without;
+                }
+            }
+        }
+        context
+    }
+}
+
+/// What is won by going from one tally to a smaller one: the share of contradictions ruled out,
+/// times a power of the share of agreement that is left.
+///
+/// Squared rather than plain, a third fewer schemas cover the same changes of the Microworld.
+fn gain(before: Tally, after: Tally, generality: u8) -> f32 {
+    let agreement = (f32::from(after.agree) + 1.0) / (f32::from(before.agree) + 1.0);
+    let ruled_out = f32::from(before.contradict - after.contradict) / f32::from(before.contradict);
+    let mut gain = ruled_out;
+    for _ in 0..generality {
+        gain *= agreement;
+    }
+    gain
+}
+
+fn holds<const WORDS: usize>(context: &SignedItems<WORDS>, on: &ItemSet<WORDS>) -> bool {
+    context.positive().is_subset(on) && context.negative().is_disjoint(on)
+}

@@ -1,0 +1,276 @@
+//! The map for binary stimuli with a byte for each weight: a quarter of the memory of `f32`.
+//!
+//! Weights are integers in −127 … 127 for −1 … 1; updates round at random, so that a step smaller
+//! than 1/127 still moves a weight on average (to nearest, late training would stand still).
+//! Integer arithmetic only between a stimulus and a weight: the same bits on every target.
+//! [`BinarySom`](super::BinarySom) is the reference; this is a numerics of its own.
+
+use super::grid::{Grid, NodeId};
+use super::prototypes::Prototypes;
+use super::stimulus::SparseStimulus;
+use crate::num::{Neighbourhood, Rng};
+
+/// The integer that stands for a weight of 1.
+const ONE: i32 = 127;
+/// Fractional bits of the step c = α·h.
+const STEP_BITS: u32 = 16;
+
+/// A self-organizing map of `WIDTH` × `HEIGHT` prototypes over `FEATURES` binary features, a byte
+/// for each weight.
+///
+/// ```
+/// use cla_core::num::{Neighbourhood, Rng};
+/// use cla_core::som::{ByteSom, Grid, Prototypes, SparseStimulus, best_match};
+///
+/// let mut som = ByteSom::<4, 4, 8>::ZERO;
+/// som.randomize(&mut Rng::new(1));
+/// let stimulus = SparseStimulus { on: &[0b0100_0010], minus: &[], unknown: &[] };
+/// let mut scratch = Grid::filled(0.0);
+/// let mut distances = Grid::filled(0.0);
+/// som.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
+/// let winner = best_match(&distances).node;
+/// som.train(&stimulus, winner, 1.0, &Neighbourhood::winner_only(), |_| true);
+/// assert_eq!((som.weight(winner, 1), som.weight(winner, 2)), (1.0, 0.0));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct ByteSom<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> {
+    columns: [Grid<i8, WIDTH, HEIGHT>; FEATURES],
+    /// State of the generator that rounds; never 0 after `randomize`.
+    noise: u32,
+}
+
+impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<WIDTH, HEIGHT>
+    for ByteSom<WIDTH, HEIGHT, FEATURES>
+{
+    const ZERO: Self = {
+        assert!(
+            FEATURES > 0 && FEATURES <= u16::MAX as usize,
+            "a map has 1 to 65,535 features"
+        );
+        Self {
+            columns: [const { Grid::filled(0) }; FEATURES],
+            noise: 0,
+        }
+    };
+
+    fn randomize(&mut self, rng: &mut Rng) {
+        self.noise = rng.next_u32() | 1;
+        for column in &mut self.columns {
+            for weight in column.as_mut_slice() {
+                *weight = rng.below(ONE as u32) as i8;
+            }
+        }
+    }
+
+    fn weight(&self, node: NodeId, feature: u16) -> f32 {
+        let column = self.columns.get(usize::from(feature));
+        let weight = column.and_then(|it| it.as_slice().get(usize::from(node.0)));
+        weight.map_or(0.0, |&weight| f32::from(weight) / ONE as f32)
+    }
+
+    fn add_squared_distances(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        factor: f32,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+    ) {
+        // Sums of products of bytes are exact in f32 up to 2²⁴: more than 1000 features.
+        let sums = scratch.as_mut_slice();
+        sums.fill(0.0);
+        for (feature, column) in self.columns.iter().enumerate() {
+            let feature = feature as u16;
+            if stimulus.is_unknown(feature) {
+                continue;
+            }
+            let target = target_of(stimulus, feature);
+            for (sum, &weight) in sums.iter_mut().zip(column.as_slice()) {
+                let difference = target - i32::from(weight);
+                *sum += (difference * difference) as f32;
+            }
+        }
+        let unit = factor / (ONE * ONE) as f32;
+        for (total, &sum) in distances.as_mut_slice().iter_mut().zip(sums.iter()) {
+            *total += unit * sum;
+        }
+    }
+
+    fn train(
+        &mut self,
+        stimulus: &SparseStimulus<'_>,
+        winner: NodeId,
+        alpha: f32,
+        neighbourhood: &Neighbourhood<WIDTH, HEIGHT>,
+        may_move: impl Fn(NodeId) -> bool,
+    ) {
+        if usize::from(winner.0) >= Grid::<i8, WIDTH, HEIGHT>::NODES {
+            return;
+        }
+        let (column, row) = Grid::<i8, WIDTH, HEIGHT>::filled(0).position(winner);
+        let top = row.saturating_sub(neighbourhood.vertical_radius());
+        let left = column.saturating_sub(neighbourhood.horizontal_radius());
+        let bottom = (row + neighbourhood.vertical_radius()).min(HEIGHT - 1);
+        let right = (column + neighbourhood.horizontal_radius()).min(WIDTH - 1);
+        for y in top..=bottom {
+            for x in left..=right {
+                let node = NodeId((y * WIDTH + x) as u16);
+                if may_move(node) {
+                    let near = neighbourhood.weight(x.abs_diff(column), y.abs_diff(row));
+                    self.step(stimulus, node, alpha * near);
+                }
+            }
+        }
+    }
+
+    fn imprint(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId) {
+        for (feature, column) in self.columns.iter_mut().enumerate() {
+            let feature = feature as u16;
+            if let Some(weight) = column.as_mut_slice().get_mut(usize::from(node.0)) {
+                *weight = if stimulus.is_unknown(feature) {
+                    (ONE / 2) as i8
+                } else {
+                    target_of(stimulus, feature) as i8
+                };
+            }
+        }
+    }
+}
+
+impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
+    ByteSom<WIDTH, HEIGHT, FEATURES>
+{
+    /// m ← m + c·(x − m) on the known features of one node, rounded at random.
+    fn step(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId, c: f32) {
+        let c = (c * (1 << STEP_BITS) as f32) as i32;
+        for (feature, column) in self.columns.iter_mut().enumerate() {
+            let feature = feature as u16;
+            if stimulus.is_unknown(feature) {
+                continue;
+            }
+            let Some(weight) = column.as_mut_slice().get_mut(usize::from(node.0)) else {
+                return;
+            };
+            let difference = target_of(stimulus, feature) - i32::from(*weight);
+            if difference == 0 {
+                continue;
+            }
+            self.noise ^= self.noise << 13;
+            self.noise ^= self.noise >> 17;
+            self.noise ^= self.noise << 5;
+            let rounding = (self.noise >> (32 - STEP_BITS)) as i32;
+            // At most 2¹⁶ · 254 + 2¹⁶: inside i32; the result lies between weight and target.
+            let moved = (c * difference + rounding) >> STEP_BITS;
+            *weight = (i32::from(*weight) + moved) as i8;
+        }
+    }
+}
+
+/// What a known feature is: −127, 0 or 127.
+fn target_of(stimulus: &SparseStimulus<'_>, feature: u16) -> i32 {
+    let bit = |words: &[u32]| match words.get(usize::from(feature / 32)) {
+        Some(word) => (word >> (feature % 32) & 1) as i32,
+        None => 0,
+    };
+    ONE * (bit(stimulus.on) - bit(stimulus.minus))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ByteSom;
+    use crate::num::{Neighbourhood, Rng};
+    use crate::som::{BinarySom, Grid, NodeId, Prototypes, SparseStimulus, best_match};
+
+    /// Mean quantization error of a map trained on sixteen patterns of three items.
+    fn error<M: Prototypes<6, 6>>(seed: u64) -> f32 {
+        let mut map = M::ZERO;
+        let mut rng = Rng::new(seed);
+        map.randomize(&mut rng);
+        let patterns: [u32; 16] = core::array::from_fn(|i| 1 << i | 1 << (i + 3) | 1 << (2 * i));
+        let (mut scratch, mut total) = (Grid::filled(0.0), 0.0);
+        for t in 0..3000 {
+            let words = [patterns[rng.below(16) as usize]];
+            let minus = [words[0] << 1 & !words[0]];
+            let stimulus = SparseStimulus {
+                on: &words,
+                minus: &minus,
+                unknown: &[],
+            };
+            let mut distances = Grid::filled(0.0);
+            map.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
+            let best = best_match(&distances);
+            let sigma = 3.0 * 0.01_f32.powf(t as f32 / 3000.0);
+            let near = Neighbourhood::gaussian(sigma, 0.01).unwrap();
+            map.train(&stimulus, best.node, 0.05, &near, |_| true);
+            if t >= 2500 {
+                total += best.squared_distance / 500.0;
+            }
+        }
+        total
+    }
+
+    #[test]
+    fn bytes_represent_as_well_as_floats_though_a_late_step_is_below_their_resolution() {
+        // A map that folds badly errs by more than any rounding does, so the median of five counts.
+        let median = |error: fn(u64) -> f32| {
+            let mut errors = [1, 2, 3, 4, 5].map(error);
+            errors.sort_by(f32::total_cmp);
+            errors[2]
+        };
+        let bytes = median(error::<ByteSom<6, 6, 40>>);
+        let floats = median(error::<BinarySom<6, 6, 40>>);
+        assert!((bytes - floats).abs() < 0.02, "{bytes} against {floats}");
+    }
+
+    #[test]
+    fn small_steps_move_a_weight_on_average() {
+        let mut map = ByteSom::<1, 1, 200>::ZERO;
+        map.randomize(&mut Rng::new(9));
+        let all = [u32::MAX; 7];
+        let none = SparseStimulus {
+            on: &[],
+            minus: &[],
+            unknown: &[],
+        };
+        let on = SparseStimulus {
+            on: &all,
+            minus: &[],
+            unknown: &[],
+        };
+        map.imprint(&none, NodeId(0));
+        for _ in 0..100 {
+            map.train(&on, NodeId(0), 0.002, &Neighbourhood::winner_only(), |_| {
+                true
+            });
+        }
+        let mut mean = 0.0;
+        for feature in 0..200 {
+            mean += map.weight(NodeId(0), feature) / 200.0;
+        }
+        let expected = 1.0 - 0.998_f32.powi(100);
+        assert!((mean - expected).abs() < 0.02, "{mean} against {expected}");
+    }
+
+    #[test]
+    fn unknown_features_are_neither_compared_nor_trained() {
+        let mut map = ByteSom::<1, 1, 3>::ZERO;
+        map.randomize(&mut Rng::new(2));
+        let before = map.weight(NodeId(0), 1);
+        let stimulus = SparseStimulus {
+            on: &[0b001],
+            minus: &[0b100],
+            unknown: &[0b010],
+        };
+        map.train(
+            &stimulus,
+            NodeId(0),
+            1.0,
+            &Neighbourhood::winner_only(),
+            |_| true,
+        );
+        let weights = [0, 1, 2].map(|feature| map.weight(NodeId(0), feature));
+        assert_eq!(weights, [1.0, before, -1.0]);
+        let (mut scratch, mut distances) = (Grid::filled(0.0), Grid::filled(0.0));
+        map.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
+        assert_eq!(distances.as_slice(), [0.0]);
+    }
+}

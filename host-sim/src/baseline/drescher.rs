@@ -1,0 +1,404 @@
+//! Drescher's Schema Mechanism: marginal attribution (Drescher 1991; book, 5.1.1), the baseline of
+//! the Microworld.
+//!
+//! Bare schemas watch which items an action turns on and off (extended result) and spin off schemas
+//! with that result; these watch which items make them succeed (extended context) and spin off
+//! schemas with that item in the context.
+//! Statistics are one byte a counter and halve together when one is full: packed as tightly as ours.
+//! Literally, every activation is a trial; tuned, only one where the result does not hold already,
+//! so that results are transitions and staying as it is counts for nothing.
+//! Left out, because recall does not hang on them where nothing is hidden: synthetic items,
+//! composite actions and conjunctive results.
+
+use cla_core::clasm::{ActionId, ItemId, SchemaText, SignedItems, SimpleSchema, Transition};
+
+use crate::world::microworld::{ACTIONS, ITEMS, Items, WORDS};
+
+const ITEM_COUNT: usize = ITEMS.len();
+
+/// How schemas spin off.
+///
+/// ```
+/// use host_sim::baseline::drescher::Variant;
+/// assert_ne!(Variant::Restricted, Variant::Unrestricted);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variant {
+    /// As Drescher restrains it: the most relevant item only, nothing from reliable schemas, and a
+    /// schema learns nothing from trials that a more specific one of its line explains.
+    Restricted,
+    /// Every relevant item of every schema.
+    Unrestricted,
+}
+
+/// What counts as a trial of a schema.
+///
+/// ```
+/// use host_sim::baseline::drescher::Trials;
+/// assert_ne!(Trials::Every, Trials::Transitions);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trials {
+    /// Every activation, as Drescher says: success is that the result obtains.
+    Every,
+    /// Activations where the result does not hold before.
+    Transitions,
+}
+
+/// The parameters of marginal attribution.
+///
+/// ```
+/// assert!(host_sim::baseline::drescher::DrescherConfig::RESTRICTED.relevance > 1.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrescherConfig {
+    /// Which schemas may spin off.
+    pub variant: Variant,
+    /// What counts as a trial.
+    pub counted: Trials,
+    /// From how many standard errors between the success rates with and without an item it is
+    /// relevant.
+    pub relevance: f32,
+    /// The least trials with the item, and without it.
+    pub trials: u8,
+    /// From this reliability on a restricted schema needs no more context.
+    pub reliable: f32,
+    /// No schema is made that would take more memory than this, bytes.
+    pub memory: usize,
+}
+
+impl DrescherConfig {
+    /// The restricted variant, tuned on seeds below 100, with 8 MB.
+    pub const RESTRICTED: Self = Self {
+        variant: Variant::Restricted,
+        counted: Trials::Transitions,
+        relevance: 3.0,
+        trials: 2,
+        reliable: 0.95,
+        memory: 8_000_000,
+    };
+    /// The restricted variant as Drescher words it.
+    pub const LITERAL: Self = Self {
+        counted: Trials::Every,
+        ..Self::RESTRICTED
+    };
+    /// The unrestricted variant.
+    pub const UNRESTRICTED: Self = Self {
+        variant: Variant::Unrestricted,
+        ..Self::RESTRICTED
+    };
+}
+
+/// Successes among trials, a byte each.
+#[derive(Clone, Copy, Debug, Default)]
+struct Count {
+    trials: u8,
+    successes: u8,
+}
+
+impl Count {
+    fn halve(&mut self) {
+        self.trials /= 2;
+        self.successes /= 2;
+    }
+}
+
+/// A schema with its extended context.
+#[derive(Clone, Debug)]
+struct Attributing {
+    schema: SimpleSchema,
+    all: Count,
+    /// Trials with the item on; those with the item off are the rest of `all`.
+    on: [Count; ITEM_COUNT],
+    /// Items that have spun off, on and off.
+    spun_on: Items,
+    spun_off: Items,
+}
+
+/// Bytes of one schema with its statistics: the packed schema, a trial and a success counter for
+/// each item and one pair for all, two bits an item for what has spun off.
+pub const SCHEMA_BYTES: usize =
+    size_of::<SimpleSchema>() + 2 * (ITEM_COUNT + 1) + 2 * size_of::<Items>();
+/// Bytes of one bare schema: turned on and turned off, with two-byte counters.
+pub const BARE_BYTES: usize = 4 * ITEM_COUNT + 4;
+
+/// What one action does to each item, whatever the context (extended result).
+#[derive(Clone, Debug, Default)]
+struct Bare {
+    trials: u32,
+    turned: Vec<[u32; 2]>,
+}
+
+/// The mechanism.
+///
+/// ```
+/// use cla_core::clasm::{ActionId, Transition};
+/// use host_sim::baseline::drescher::{Drescher, DrescherConfig};
+/// use host_sim::world::microworld::{Items, item};
+/// let mut mechanism = Drescher::new(DrescherConfig::RESTRICTED);
+/// let mut closed = Items::EMPTY;
+/// closed.insert(item("hcl").unwrap())?;
+/// for _ in 0..5 {
+///     mechanism.learn(ActionId(8), &Transition { before: Items::EMPTY, after: closed });
+///     mechanism.learn(ActionId(9), &Transition { before: closed, after: Items::EMPTY });
+/// }
+/// assert_eq!(mechanism.schemas().len(), 2); // /grasp/+hcl and /ungrasp/-hcl
+/// # Ok::<(), cla_core::clasm::ItemOutOfRange>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Drescher {
+    config: DrescherConfig,
+    bare: Vec<Bare>,
+    schemas: Vec<Attributing>,
+}
+
+impl Drescher {
+    /// A mechanism with one bare schema for each action.
+    #[must_use]
+    pub fn new(config: DrescherConfig) -> Self {
+        let bare = Bare {
+            trials: 0,
+            turned: vec![[0; 2]; ITEM_COUNT],
+        };
+        Self {
+            config,
+            bare: vec![bare; ACTIONS.len()],
+            schemas: Vec::new(),
+        }
+    }
+
+    /// Its memory, bytes.
+    #[must_use]
+    pub const fn bytes(&self) -> usize {
+        ACTIONS.len() * BARE_BYTES + self.schemas.len() * SCHEMA_BYTES
+    }
+
+    /// What each schema says; where it speaks of transitions, with the prior state of its result
+    /// item in its context.
+    #[must_use]
+    pub fn schemas(&self) -> Vec<SchemaText<WORDS>> {
+        self.schemas
+            .iter()
+            .map(|it| it.text(self.config.counted))
+            .collect()
+    }
+
+    /// The schemas that it holds reliable itself after at least `trials` trials.
+    #[must_use]
+    pub fn believed(&self, reliability: f32, trials: u8) -> Vec<SchemaText<WORDS>> {
+        let believed = self
+            .schemas
+            .iter()
+            .filter(|it| it.all.trials >= trials && it.reliability() >= reliability);
+        believed.map(|it| it.text(self.config.counted)).collect()
+    }
+
+    /// Learns from one action.
+    pub fn learn(&mut self, action: ActionId, step: &Transition<WORDS>) {
+        self.attribute_results(action, step);
+        let applicable: Vec<usize> = (0..self.schemas.len())
+            .filter(|&index| {
+                let schema = &self.schemas[index].schema;
+                let counts = self.config.counted == Trials::Every || !schema.succeeds(&step.before);
+                counts && schema.action() == action && schema.applies(&step.before)
+            })
+            .collect();
+        let mut born = Vec::new();
+        for &index in &applicable {
+            let own = &self.schemas[index];
+            // A more specific schema of the same line explains this trial.
+            let deferred = self.config.variant == Variant::Restricted
+                && applicable
+                    .iter()
+                    .any(|&other| other != index && own.schema.covers(&self.schemas[other].schema));
+            let success = own.schema.succeeds(&step.after);
+            let own = &mut self.schemas[index];
+            own.count(&step.before, success, deferred);
+            if !deferred {
+                own.spin_off(&self.config, &mut born);
+            }
+        }
+        for schema in born {
+            self.add(schema);
+        }
+    }
+
+    /// Spins off `/action/±item` for what the action does more often than the other actions.
+    fn attribute_results(&mut self, action: ActionId, step: &Transition<WORDS>) {
+        let own = usize::from(action.0);
+        self.bare[own].trials += 1;
+        for item in step.changed().iter() {
+            let (item, sign) = (usize::from(item.0), step.after.contains(item));
+            self.bare[own].turned[item][usize::from(sign)] += 1;
+            let rate = |bare: &Bare| {
+                f64::from(bare.turned[item][usize::from(sign)]) / f64::from(bare.trials.max(1))
+            };
+            let others: f64 = self.bare.iter().map(rate).sum::<f64>() - rate(&self.bare[own]);
+            let mean = others / (ACTIONS.len() - 1) as f64;
+            if self.bare[own].turned[item][usize::from(sign)] >= 2 && rate(&self.bare[own]) > mean {
+                let mut result = SignedItems::EMPTY;
+                result
+                    .insert(ItemId(item as u16), sign)
+                    .expect("the Microworld's items fit its words");
+                self.add(SchemaText {
+                    context: SignedItems::EMPTY,
+                    action,
+                    result,
+                });
+            }
+        }
+    }
+
+    fn add(&mut self, text: SchemaText<WORDS>) {
+        let Some(schema) = SimpleSchema::pack(&text) else {
+            return;
+        };
+        let known = self.schemas.iter().any(|it| it.schema.says_as(&schema));
+        if !known && self.bytes() + SCHEMA_BYTES <= self.config.memory {
+            self.schemas.push(Attributing {
+                schema,
+                all: Count::default(),
+                on: [Count::default(); ITEM_COUNT],
+                spun_on: Items::EMPTY,
+                spun_off: Items::EMPTY,
+            });
+        }
+    }
+}
+
+impl Attributing {
+    fn text(&self, counted: Trials) -> SchemaText<WORDS> {
+        let mut text = self.schema.text();
+        if counted == Trials::Every {
+            return text;
+        }
+        text.context
+            .insert(self.schema.result_item(), !self.schema.result_sign())
+            .expect("the Microworld's items fit its words");
+        text
+    }
+
+    fn reliability(&self) -> f32 {
+        f32::from(self.all.successes) / f32::from(self.all.trials.max(1))
+    }
+
+    fn count(&mut self, before: &Items, success: bool, deferred: bool) {
+        if self.all.trials == u8::MAX {
+            self.all.halve();
+            self.on.iter_mut().for_each(Count::halve);
+        }
+        if deferred {
+            return;
+        }
+        self.all.trials += 1;
+        self.all.successes += u8::from(success);
+        for item in before.iter() {
+            let count = &mut self.on[usize::from(item.0)];
+            count.trials += 1;
+            count.successes += u8::from(success);
+        }
+    }
+
+    /// Schemas with one more context item, for the items that are relevant now.
+    fn spin_off(&mut self, config: &DrescherConfig, born: &mut Vec<SchemaText<WORDS>>) {
+        let restricted = config.variant == Variant::Restricted;
+        if restricted && self.reliability() >= config.reliable {
+            return;
+        }
+        let mut best: Option<(f32, ItemId, bool)> = None;
+        for item in (0..ITEM_COUNT as u16).map(ItemId) {
+            let Some((z, sign)) = self.relevance(item, config.trials) else {
+                continue;
+            };
+            let spun = if sign { &self.spun_on } else { &self.spun_off };
+            if z < config.relevance || spun.contains(item) {
+                continue;
+            }
+            if !restricted {
+                self.spin(item, sign, born);
+            } else if best.is_none_or(|(most, _, _)| z > most) {
+                best = Some((z, item, sign));
+            }
+        }
+        if let Some((_, item, sign)) = best {
+            self.spin(item, sign, born);
+        }
+    }
+
+    fn spin(&mut self, item: ItemId, sign: bool, born: &mut Vec<SchemaText<WORDS>>) {
+        let spun = if sign {
+            &mut self.spun_on
+        } else {
+            &mut self.spun_off
+        };
+        let fits = "the Microworld's items fit its words";
+        spun.insert(item).expect(fits);
+        let mut text = self.schema.text();
+        text.context.insert(item, sign).expect(fits);
+        born.push(text);
+    }
+
+    /// Standard errors between the success rates with the item on and off, and with which it is
+    /// higher; `None` with too few trials.
+    fn relevance(&self, item: ItemId, trials: u8) -> Option<(f32, bool)> {
+        let on = self.on[usize::from(item.0)];
+        let off = Count {
+            trials: self.all.trials.saturating_sub(on.trials),
+            successes: self.all.successes.saturating_sub(on.successes),
+        };
+        if on.trials < trials || off.trials < trials {
+            return None;
+        }
+        let rate = |it: Count| (f32::from(it.successes) + 0.5) / (f32::from(it.trials) + 1.0);
+        let variance = |it: Count| rate(it) * (1.0 - rate(it)) / (f32::from(it.trials) + 1.0);
+        let difference = rate(on) - rate(off);
+        let z = difference.abs() / (variance(on) + variance(off)).sqrt();
+        Some((z, difference > 0.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Drescher, DrescherConfig};
+    use crate::experiment::microworld::level1::Life;
+    use crate::world::microworld::{Body, Family, Oracle};
+
+    fn grown(config: DrescherConfig, steps: u32) -> Drescher {
+        let (mut life, mut mechanism) = (Life::new(3, Body::Visible, 0.0), Drescher::new(config));
+        for _ in 0..steps {
+            let (action, step) = life.step();
+            mechanism.learn(action, &step);
+        }
+        mechanism
+    }
+
+    #[test]
+    fn it_learns_how_hand_and_eye_move() {
+        let oracle = Oracle::new(Body::Visible);
+        let mechanism = grown(DrescherConfig::RESTRICTED, 5000);
+        let recall = oracle.recall(&mechanism.schemas(), 0.9);
+        for family in [Family::EyeProprioception, Family::HandProprioception] {
+            let share = recall.of(family);
+            assert!((0.9..=1.0).contains(&share), "{}: {share}", family.name());
+        }
+    }
+
+    #[test]
+    fn unrestricted_it_grows_much_faster_and_memory_stops_it() {
+        let count = |config| grown(config, 1500).schemas().len();
+        let (restricted, unrestricted) = (
+            count(DrescherConfig::RESTRICTED),
+            count(DrescherConfig::UNRESTRICTED),
+        );
+        assert!(
+            unrestricted > 3 * restricted,
+            "{restricted}, {unrestricted}"
+        );
+        let small = DrescherConfig {
+            memory: 50_000,
+            ..DrescherConfig::UNRESTRICTED
+        };
+        let bounded = grown(small, 1500);
+        assert!((49_000..=50_000).contains(&bounded.bytes()));
+    }
+}

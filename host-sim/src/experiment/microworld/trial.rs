@@ -1,0 +1,292 @@
+//! One seed of the Microworld experiment: everything that is measured, as numbers.
+//!
+//! A trial trains every form of level 1 on the same life, drives the goals, runs level 2 and lets
+//! Drescher's mechanism live the same life; `claims` judges.
+
+use std::time::Instant;
+
+use cla_core::clasm::AccommodationConfig;
+use cla_core::num::Rng;
+
+use super::catalogue::{
+    Found, Schema, VALID, among_simple_schemas, among_whole_schemas, equations,
+};
+use super::goals::{GOALS, Planning, Strategy, success};
+use super::level1::{Clasm, Life, Maps, Mind};
+use super::level2::{self, Level2};
+use crate::baseline::drescher::{Drescher, DrescherConfig};
+use crate::progress::Ticker;
+use crate::world::microworld::{Body, Family, Oracle, Recall};
+
+/// Total steps at which growth is measured.
+pub const MOMENTS: [u32; 5] = [1_000, 3_000, 10_000, 30_000, 100_000];
+/// Steps of a whole life: 10,000 samples a map.
+pub const STEPS: u32 = 100_000;
+/// Steps after which the goals are tried a first time.
+pub const EARLY: u32 = 10_000;
+/// Steps that Drescher's mechanism lives with unbounded memory (its time per step grows).
+pub const DRESCHER_STEPS: u32 = 10_000;
+/// Steps that it lives in bounded memory; full after the first 3,000, it changes no more.
+pub const BOUNDED_STEPS: u32 = 30_000;
+/// Steps that it lives literally.
+pub const LITERAL_STEPS: u32 = 3_000;
+/// The memory of the comparison at equal memory, bytes.
+pub const EQUAL_MEMORY: usize = 200_000;
+/// A simple schema has to be tried or remembered so often before the agent believes it.
+pub const BELIEVED_TRIALS: u16 = 4;
+/// The slip of the noisy world.
+pub const SLIP: f32 = 0.05;
+
+/// What a learner knows at one moment.
+#[derive(Clone, Debug)]
+pub struct Growth {
+    /// Total steps so far.
+    pub steps: u32,
+    /// Share of all changes predicted by truly reliable schemas.
+    pub recall: f64,
+    /// Share of all changes predicted by schemas that the learner itself believes.
+    pub own_recall: f64,
+    /// Share of the changes predicted so that come.
+    pub precision: f64,
+    /// Schemas.
+    pub schemas: usize,
+    /// Memory, bytes.
+    pub bytes: usize,
+    /// Mean time of a step of learning so far, µs (of this machine, others running).
+    pub micros: f64,
+}
+
+/// What one seed gave.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    /// Recall, family by family, of the raw harvest.
+    pub raw: Recall,
+    /// Schemas of the raw harvest.
+    pub raw_schemas: usize,
+    /// The share of them that always hold.
+    pub valid: f64,
+    /// Each equation in the raw harvest.
+    pub raw_equations: Vec<Found>,
+    /// Recall of the raw harvest simplified on a replay buffer.
+    pub harvest_simplified: f64,
+    /// Recall of byte maps that seed accommodation.
+    pub clasm: Recall,
+    /// Recall of accommodation alone, family by family.
+    pub simplified: Recall,
+    /// Each equation in accommodation alone.
+    pub simplified_equations: Vec<Found>,
+    /// Accommodation alone at the [`MOMENTS`].
+    pub growth: Vec<Growth>,
+    /// Recall at 10,000 steps where 5 % of the actions slip.
+    pub slipping: f64,
+    /// For each of [`GOALS`], success after [`EARLY`] and after all steps by search, and after all
+    /// by the book's chain.
+    pub goals: Vec<[f64; 3]>,
+    /// What level 2 found.
+    pub level2: Level2,
+    /// Drescher's mechanism as well tuned as we could.
+    pub drescher: Vec<Growth>,
+    /// As Drescher words it.
+    pub literal: Vec<Growth>,
+    /// Tuned, in no more than [`EQUAL_MEMORY`].
+    pub bounded: Vec<Growth>,
+}
+
+/// Runs one seed; ticks once a part, [`PARTS`] in all.
+#[must_use]
+pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
+    let maps = Maps::train(seed, Body::Visible, STEPS);
+    let raw = maps.harvest();
+    let always = raw.iter().filter(|it| oracle.reliability(it) == Some(1.0));
+    let valid = always.count() as f64 / raw.len().max(1) as f64;
+    let raw_equations = equations()
+        .iter()
+        .map(|it| among_whole_schemas(&it.schema, &raw, oracle))
+        .collect();
+    let harvest_simplified = oracle.recall(&maps.simplified(), VALID).total();
+    drop(maps);
+    ticker.advance(1);
+    let clasm = oracle.recall(&seeded(seed), VALID);
+    ticker.advance(1);
+    let grown = grow(seed, oracle);
+    ticker.advance(1);
+    let level2 = level2::learn(seed, oracle, grown.mind.schemas());
+    ticker.advance(1);
+    let known = texts(&grown.mind);
+    let trial = Trial {
+        raw: oracle.recall(&raw, VALID),
+        raw_schemas: raw.len(),
+        valid,
+        raw_equations,
+        harvest_simplified,
+        clasm,
+        simplified: oracle.recall(&known, VALID),
+        simplified_equations: equations()
+            .iter()
+            .map(|it| among_simple_schemas(&it.schema, &known, oracle))
+            .collect(),
+        growth: grown.growth,
+        slipping: slipping(seed, oracle),
+        goals: grown.goals,
+        level2,
+        drescher: attribution(seed, oracle, DrescherConfig::RESTRICTED, DRESCHER_STEPS),
+        literal: attribution(seed, oracle, DrescherConfig::LITERAL, LITERAL_STEPS),
+        bounded: attribution(
+            seed,
+            oracle,
+            DrescherConfig {
+                memory: EQUAL_MEMORY,
+                ..DrescherConfig::RESTRICTED
+            },
+            BOUNDED_STEPS,
+        ),
+    };
+    ticker.advance(1);
+    trial
+}
+
+/// Ticks of one trial.
+pub const PARTS: u64 = 5;
+
+/// A mind and what was measured while it grew.
+struct Grown {
+    mind: Box<Mind>,
+    growth: Vec<Growth>,
+    goals: Vec<[f64; 3]>,
+}
+
+fn grow(seed: u64, oracle: &Oracle) -> Grown {
+    let mut life = Life::new(seed, Body::Visible, 0.0);
+    let mut rng = Rng::stream(seed, 56);
+    let mut mind = Box::<Mind>::default();
+    let mut planner = Box::new(Planning::new());
+    let mut growth = Vec::new();
+    let mut goals = vec![[0.0; 3]; GOALS.len()];
+    let mut spent = 0.0;
+    for step in 1..=STEPS {
+        let (action, sample) = life.step();
+        planner.see(&sample.before);
+        planner.see(&sample.after);
+        let begun = Instant::now();
+        mind.observe(action, &sample, &AccommodationConfig::EXACT, &mut rng);
+        spent += begun.elapsed().as_secs_f64() * 1e6;
+        if MOMENTS.contains(&step) {
+            let known = texts(&mind);
+            let believed = mind.schemas().iter().filter(|it| {
+                it.reliability() >= VALID as f32 && it.activations() >= BELIEVED_TRIALS
+            });
+            let believed: Vec<Schema> = believed.map(|it| it.text()).collect();
+            let predicted = oracle.predicted(&believed);
+            growth.push(Growth {
+                steps: step,
+                recall: oracle.recall(&known, VALID).total(),
+                own_recall: predicted.total(),
+                precision: predicted.precision(),
+                schemas: known.len(),
+                bytes: size_of::<Mind>(),
+                micros: spent / f64::from(step),
+            });
+        }
+        if step == EARLY || step == STEPS {
+            let mut tries = Rng::stream(seed, 57);
+            for (group, shares) in GOALS.iter().zip(&mut goals) {
+                let mut attempt = |strategy| {
+                    success(
+                        group,
+                        oracle,
+                        mind.schemas(),
+                        &mut planner,
+                        strategy,
+                        &mut tries,
+                    )
+                };
+                if step == EARLY {
+                    shares[0] = attempt(Strategy::Search);
+                } else {
+                    shares[1] = attempt(Strategy::Search);
+                    shares[2] = attempt(Strategy::Chain);
+                }
+            }
+        }
+    }
+    Grown {
+        mind,
+        growth,
+        goals,
+    }
+}
+
+/// A mind that has lived `steps` random actions, with its planner: what the goal mode drives.
+#[must_use]
+pub fn educated(seed: u64, steps: u32) -> (Box<Mind>, Box<Planning>) {
+    let mut life = Life::new(seed, Body::Visible, 0.0);
+    let mut rng = Rng::stream(seed, 56);
+    let mut mind = Box::<Mind>::default();
+    let mut planner = Box::new(Planning::new());
+    for _ in 0..steps {
+        let (action, sample) = life.step();
+        planner.see(&sample.before);
+        planner.see(&sample.after);
+        mind.observe(action, &sample, &AccommodationConfig::EXACT, &mut rng);
+    }
+    (mind, planner)
+}
+
+fn texts(mind: &Mind) -> Vec<Schema> {
+    mind.schemas().iter().map(|it| it.text()).collect()
+}
+
+fn seeded(seed: u64) -> Vec<Schema> {
+    let (mut life, mut clasm) = (Life::new(seed, Body::Visible, 0.0), Clasm::new(seed));
+    for _ in 0..STEPS {
+        let (action, sample) = life.step();
+        clasm.learn(action, &sample);
+    }
+    clasm.schemas()
+}
+
+fn slipping(seed: u64, oracle: &Oracle) -> f64 {
+    let mut life = Life::new(seed, Body::Visible, SLIP);
+    let mut rng = Rng::stream(seed, 56);
+    let mut mind = Box::<Mind>::default();
+    for _ in 0..EARLY {
+        let (action, sample) = life.step();
+        mind.observe(action, &sample, &AccommodationConfig::TOLERANT, &mut rng);
+    }
+    // The truth is that of the world without slip: what the schemas say about what actions do.
+    oracle.recall(&texts(&mind), VALID).total()
+}
+
+fn attribution(seed: u64, oracle: &Oracle, config: DrescherConfig, steps: u32) -> Vec<Growth> {
+    let mut life = Life::new(seed, Body::Visible, 0.0);
+    let mut mechanism = Drescher::new(config);
+    let (mut growth, mut spent) = (Vec::new(), 0.0);
+    for step in 1..=steps {
+        let (action, sample) = life.step();
+        let begun = Instant::now();
+        mechanism.learn(action, &sample);
+        spent += begun.elapsed().as_secs_f64() * 1e6;
+        if MOMENTS.contains(&step) {
+            let known = mechanism.schemas();
+            let trials = u8::try_from(BELIEVED_TRIALS).unwrap_or(u8::MAX);
+            let predicted = oracle.predicted(&mechanism.believed(VALID as f32, trials));
+            growth.push(Growth {
+                steps: step,
+                recall: oracle.recall(&known, VALID).total(),
+                own_recall: predicted.total(),
+                precision: predicted.precision(),
+                schemas: known.len(),
+                bytes: mechanism.bytes(),
+                micros: spent / f64::from(step),
+            });
+        }
+    }
+    growth
+}
+
+/// The families' names with a recall each, for tables.
+pub fn by_family(recall: &Recall) -> impl Iterator<Item = (&'static str, f64)> + '_ {
+    Family::ALL
+        .into_iter()
+        .map(|family| (family.name(), recall.of(family)))
+}
