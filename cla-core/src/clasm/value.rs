@@ -32,6 +32,8 @@ pub struct ValueConfig {
     /// A robot among many specimens sees each schema succeed by chance now and then.
     /// What Drescher calls relevance tells a way from an accident (book, 5.1.1).
     pub chain_relevance: f32,
+    /// And at least this many times in all: a handful of trials proves no way.
+    pub chain_successes: u32,
     /// Which reliability counts.
     pub estimate: Estimate,
 }
@@ -42,6 +44,7 @@ impl ValueConfig {
         discount: 0.95,
         chain_reliability: 0.0,
         chain_relevance: 0.0,
+        chain_successes: 0,
         estimate: Estimate::Plain,
     };
 
@@ -49,6 +52,7 @@ impl ValueConfig {
     pub const FORAGER: Self = Self {
         chain_reliability: 0.02,
         chain_relevance: 1.5,
+        chain_successes: 10,
         estimate: Estimate::Recent,
         ..Self::BOOK
     };
@@ -219,7 +223,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             }
         };
         let p = share(here, all_here);
-        p >= config.chain_reliability && p >= config.chain_relevance * share(anywhere, all_anywhere)
+        here >= config.chain_successes
+            && p >= config.chain_reliability
+            && p >= config.chain_relevance * share(anywhere, all_anywhere)
     }
 
     /// Raises a deferred value; whether that changed it.
