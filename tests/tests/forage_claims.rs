@@ -1,0 +1,85 @@
+//! The committed results of `forage` and `calibrate` are what the program measures.
+//!
+//! One seed of the foraging run lives again, and the whole calibration, which takes a second.
+//! Every number must be the same to the last bit: runs are deterministic.
+
+use cla_core::clasm::AgentConfig;
+use host_sim::experiment::calibrate;
+use host_sim::experiment::forage::{self, ForageOptions};
+use host_sim::options::WorldOptions;
+use host_sim::progress::Progress;
+use host_sim::report::Summary;
+use host_sim::world::config::PioneerConfig;
+
+fn committed(text: &str) -> Summary {
+    Summary::from_json(text).expect("a committed claims file can be read")
+}
+
+#[test]
+fn the_second_seed_of_the_foraging_run_lives_the_same_life_again() {
+    let committed = committed(include_str!("../claims/forage.json"));
+    let seed = committed.seeds[1];
+    let options = ForageOptions {
+        seeds: vec![seed],
+        world: WorldOptions {
+            config: PioneerConfig::NOISY,
+            layout: None,
+        },
+        brain: AgentConfig::FORAGER,
+        actions: 10_000,
+        test_actions: 3_000,
+    };
+    let again = forage::run(&options, &Progress::hidden())
+        .expect("the experiment runs")
+        .summary;
+    assert_eq!(again.parameters, committed.parameters);
+    assert_eq!(again.claims.len(), committed.claims.len());
+    for (new, old) in again.claims.iter().zip(&committed.claims) {
+        assert_eq!(new.id, old.id);
+        assert_eq!(new.per_seed[0], old.per_seed[1], "{}", new.id);
+    }
+}
+
+#[test]
+fn the_calibration_comes_out_as_committed() {
+    let committed = committed(include_str!("../claims/calibrate.json"));
+    let again = calibrate::report::run(&Progress::hidden()).expect("the layouts are built in");
+    assert_eq!(again.summary.claims, committed.claims);
+}
+
+#[test]
+fn the_committed_claims_are_the_ones_that_were_promised() {
+    let forage = committed(include_str!("../claims/forage.json"));
+    assert_eq!(forage.seeds, (100..120).collect::<Vec<u64>>());
+    for id in [
+        "ingrip_by_10000",
+        "captures.level1",
+        "captures.level1_removed",
+        "captures.lexicographic",
+        "baseline.random",
+        "baseline.sector",
+        "table_6_3.s1",
+        "table_6_3.s2",
+        "table_6_3.s3",
+        "table_6_3.s4",
+        "table_6_3.s5",
+        "reliability.6_1",
+        "reliability.6_2",
+        "reliability.6_7",
+        "reliability.6_8",
+        "reliability.6_11",
+        "reliability.6_12",
+    ] {
+        assert!(forage.find(&format!("forage.{id}")).is_some(), "{id}");
+    }
+    let calibrate = committed(include_str!("../claims/calibrate.json"));
+    for radius in [3, 5, 8] {
+        for step in ["0_1", "0_5"] {
+            for quantity in ["actions", "p_s3"] {
+                let id = format!("calibrate.{quantity}.R{radius}_f{step}");
+                let claim = calibrate.find(&id).expect("every condition is claimed");
+                assert_eq!(claim.met, Some(true), "{id}");
+            }
+        }
+    }
+}
