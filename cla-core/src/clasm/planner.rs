@@ -11,6 +11,7 @@ use super::composite_action::holds;
 use super::item::{ItemId, ItemSet};
 use super::signed_items::SignedItems;
 use super::simple_schema::SimpleSchema;
+use crate::num::ln;
 
 /// The cost of one action; unreliability adds to it.
 const STEP: u16 = 100;
@@ -180,10 +181,7 @@ impl<const WORDS: usize, const ITEMS: usize, const NODES: usize> Planner<WORDS, 
             .iter()
             .filter(|it| it.action() == action && it.applies(before) && !it.succeeds(after));
         for schema in wrong {
-            if self.suspended.is_full() {
-                self.suspended.remove(0);
-            }
-            let _ = self.suspended.push(*schema);
+            push_out(&mut self.suspended, *schema);
         }
     }
 
@@ -281,7 +279,7 @@ impl<const WORDS: usize, const ITEMS: usize, const NODES: usize> Planner<WORDS, 
                 if next == node.on || !self.plausible(&next) {
                     continue;
                 }
-                let risk = -300.0 * libm::logf(reliability);
+                let risk = -300.0 * ln(reliability);
                 let cost = node.cost.saturating_add(STEP).saturating_add(risk as u16);
                 let same = |other: &Node<WORDS>| other.on == next;
                 if let Some(old) = self.nodes.iter_mut().find(|it| same(it)) {
@@ -337,11 +335,8 @@ impl<const WORDS: usize, const ITEMS: usize, const NODES: usize> Planner<WORDS, 
             let Some(node) = self.nodes.get(usize::from(at)).copied() else {
                 return;
             };
-            if self.plan.push(node.action).is_err() {
-                // The far end of a plan that is too long; it will be found again on the way.
-                self.plan.remove(0);
-                let _ = self.plan.push(node.action);
-            }
+            // The far end of a plan that is too long is found again on the way.
+            push_out(&mut self.plan, node.action);
             at = node.parent;
         }
     }
@@ -414,6 +409,15 @@ impl<const WORDS: usize, const ITEMS: usize, const NODES: usize> Default
 {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+/// Appends an element; a full vector loses its first.
+fn push_out<T, const N: usize>(vec: &mut heapless::Vec<T, N, u8>, element: T) {
+    if let Err(mut shifted) = vec.push(element) {
+        for slot in vec.iter_mut().rev() {
+            core::mem::swap(slot, &mut shifted);
+        }
     }
 }
 
@@ -500,6 +504,15 @@ mod tests {
         let meal = set(&["table", "bread", "eaten"]);
         let expected = experienced().foresee(&goal(), &here, &schemas(), &CONFIG);
         assert_eq!(expected, Some(meal));
+    }
+
+    #[test]
+    fn a_full_memory_loses_what_is_oldest() {
+        let mut vec = heapless::Vec::<u8, 3, u8>::new();
+        for element in 1..=5 {
+            super::push_out(&mut vec, element);
+        }
+        assert_eq!(vec, [3, 4, 5]);
     }
 
     #[test]

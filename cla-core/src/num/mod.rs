@@ -37,3 +37,17 @@ pub fn exp(x: f32) -> f32 {
 pub fn sqrt(x: f32) -> f32 {
     libm::sqrtf(x)
 }
+
+/// The natural logarithm, to within one unit in the last place, with the same bits on every target.
+///
+/// Source: the portable `logf` of the `libm` crate (a port of musl's).
+/// Range: every `f32`; −∞ at 0, NaN below.
+///
+/// ```
+/// assert_eq!(cla_core::num::ln(1.0), 0.0);
+/// assert!((cla_core::num::ln(0.5) + 0.693_147_2).abs() < 1e-7);
+/// ```
+#[must_use]
+pub fn ln(x: f32) -> f32 {
+    libm::logf(x)
+}
