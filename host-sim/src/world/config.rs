@@ -24,7 +24,7 @@ pub struct PioneerConfig {
     pub radius: f64,
     /// Specimens in a random layout; 1 to 1000, default 28 (book, 6.2.1).
     pub specimens: usize,
-    /// Distance of the action `forward`, metres; 0.02 to 2, default 0.5.
+    /// Distance of the action `forward`, metres; 0.02 to 2, default 0.5 (ours).
     ///
     /// Book: 0.5 in 6.2.1, 0.1 in Table 6.1; only 0.5 fits the printed reliabilities.
     pub forward: f64,
@@ -40,11 +40,11 @@ pub struct PioneerConfig {
     pub camera_offset: f64,
     /// How far the camera sees, metres; above 0 to 100, default 8 (Stage).
     pub camera_range: f64,
-    /// Probability that a blob is missed in one percept; 0 to 1, default 0.17 (trial).
+    /// Probability that a blob is missed in one percept; 0 to 1, default 0.17 (ours).
     pub drop_out: f64,
-    /// Standard deviation of the distance of a drive, as a share of it; 0 to 1, default 0.03 (trial).
+    /// Standard deviation of the distance of a drive, as a share of it; 0 to 1, default 0.03 (ours).
     pub step_noise: f64,
-    /// Standard deviation of the angle of a turn, degrees; 0 to 45, default 0.5 (trial).
+    /// Standard deviation of the angle of a turn, degrees; 0 to 45, default 0.5 (ours).
     pub turn_noise: f64,
     /// What happens to taken specimens; default replaced.
     pub after_capture: AfterCapture,
