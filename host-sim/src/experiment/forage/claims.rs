@@ -2,7 +2,7 @@
 
 use cla_core::forager::pioneer;
 
-use super::trial::{Captures, Trial};
+use super::trial::{Captures, Found, Trial};
 use super::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
 use crate::options::Failure;
 use crate::report::figure::{Axes, Line, Point, histogram, line_chart};
@@ -12,13 +12,15 @@ use crate::report::{
 
 /// Schemas listed for the first seed.
 const LISTED: usize = 16;
+/// Trials that make a schema worth listing.
+const PROVEN: u32 = 50;
 
 pub(super) fn results(options: &ForageOptions, trials: &[Trial]) -> Result<Results, Failure> {
     let mut summary = Summary::new("forage", &options.seeds);
     parameters(&mut summary, options);
     summary.claims = claims(trials);
     summary.table("1 captures in a test", captures_table(trials));
-    summary.table("2 schemas most tried, first seed", schemas_table(trials));
+    summary.table("2 most reliable schemas, first seed", schemas_table(trials));
     summary.table("3 the brain", brain_table(trials));
     Ok(Results::new(summary)
         .picture("learning-curve", learning_curve(options, trials)?)
@@ -238,11 +240,14 @@ fn captures_table(trials: &[Trial]) -> Table {
 
 fn schemas_table(trials: &[Trial]) -> Table {
     let mut table = Table::new(&["schema", "reliability", "trials"]);
-    for found in trials
+    let says_something = |found: &&Found| found.activations >= PROVEN && !found.text.ends_with('/');
+    let proven = trials
         .iter()
         .take(1)
-        .flat_map(|t| t.found.iter().take(LISTED))
-    {
+        .flat_map(|t| t.found.iter().filter(says_something));
+    let mut proven: Vec<&Found> = proven.collect();
+    proven.sort_by(|a, b| b.reliability.total_cmp(&a.reliability));
+    for found in proven.into_iter().take(LISTED) {
         table.row([
             found.text.clone().into(),
             found.reliability.into(),
