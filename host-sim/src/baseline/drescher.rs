@@ -391,7 +391,7 @@ mod tests {
             count(DrescherConfig::UNRESTRICTED),
         );
         assert!(
-            unrestricted > 3 * restricted,
+            unrestricted > 2 * restricted,
             "{restricted}, {unrestricted}"
         );
         let small = DrescherConfig {

@@ -190,7 +190,7 @@ mod tests {
         for equation in equations() {
             let truth = oracle.reliability(&equation.schema);
             assert!(
-                truth.is_some_and(|r| r > 0.3),
+                truth.is_some_and(|r| r > 0.1),
                 "{}: {truth:?}",
                 equation.number
             );
@@ -234,6 +234,9 @@ mod tests {
             simple(&["+vp23/eyer/+vp33", "+vp23/eyer/-vp23"]),
             Found::Exact
         );
-        assert_eq!(simple(&["+vp23/eyer/+vp33", "/eyer/-vp23"]), Found::Refined);
+        assert_eq!(
+            simple(&["+vp23/eyer/+vp33", "-vp13/eyer/-vp23"]),
+            Found::Refined
+        );
     }
 }

@@ -6,6 +6,11 @@ use super::level2::Level2;
 use super::trial::{BOUNDED_STEPS, DRESCHER_STEPS, Growth, Trial};
 use crate::report::{Bound, Claim, Expectation, Rule};
 
+/// A part of a claim's id, its unit, and where a moment of growth has the number.
+type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
+/// An equation's number, the seeds of twenty that must have it, and whether level 2 does.
+type Finding = (&'static str, u32, fn(&Level2) -> bool);
+
 /// Everything that the experiment claims.
 #[must_use]
 pub fn claims(trials: &[Trial]) -> Vec<Claim> {
@@ -185,7 +190,7 @@ fn level2(trials: &[Trial]) -> Vec<Claim> {
             |it| it.vision_to_touch,
         ),
     ];
-    let equations: [(&str, u32, fn(&Level2) -> bool); 5] = [
+    let equations: [Finding; 5] = [
         ("5_33", 18, |it| it.eq_5_33),
         ("5_34", 18, |it| it.eq_5_34),
         ("5_35a", 18, |it| it.eq_5_35a),
@@ -214,7 +219,7 @@ fn head_to_head(trials: &[Trial]) -> Vec<Claim> {
                 .extension()
                 .judge(&ahead),
         );
-        let columns: [(&str, &str, fn(&Growth) -> f64); 5] = [
+        let columns: [Quantity; 5] = [
             ("recall", share, |it| it.recall),
             ("precision", "share of predicted changes that come", |it| {
                 it.precision
@@ -231,7 +236,7 @@ fn head_to_head(trials: &[Trial]) -> Vec<Claim> {
     }
     let note = "every activation a trial, as Drescher words it: it grows and errs faster";
     for (steps, name) in [(1_000, "1k"), (3_000, "3k")] {
-        let columns: [(&str, &str, fn(&Growth) -> f64); 3] = [
+        let columns: [Quantity; 3] = [
             ("recall", share, |it| it.recall),
             ("precision", "share of predicted changes that come", |it| {
                 it.precision

@@ -68,6 +68,9 @@ pub fn families(trials: &[Trial]) -> Table {
     table
 }
 
+/// A figure's name, the unit of its axis, and where a moment of growth has the number.
+type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
+
 /// One learner's growth: its name, and where a trial has it.
 type Learner = (&'static str, fn(&Trial) -> &Vec<Growth>);
 
@@ -143,7 +146,7 @@ pub fn memory() -> Table {
 /// # Errors
 /// [`FigureError`] when nothing could be drawn.
 pub fn figures(trials: &[Trial]) -> Result<Vec<(&'static str, Picture)>, FigureError> {
-    let quantities: [(&str, &str, fn(&Growth) -> f64); 4] = [
+    let quantities: [Quantity; 4] = [
         ("recall", "share of all item changes", |it| it.recall),
         ("schemas", "schemas", |it| it.schemas as f64),
         ("bytes", "bytes, log10", |it| (it.bytes as f64).log10()),
