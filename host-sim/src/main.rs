@@ -1,5 +1,6 @@
 //! The command line of the simulator: what was asked for is checked, run, shown and written.
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -30,11 +31,15 @@ fn run(order: &Order) -> Result<(), Failure> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     results.summary.command = format!("host-sim {}", arguments.join(" "));
     let paths = results.write(&output)?;
-    println!("{}", results.text());
-    for path in paths {
-        println!("wrote {}", path.display());
+    let mut text = results.text();
+    paths
+        .iter()
+        .for_each(|path| text.push_str(&format!("\nwrote {}", path.display())));
+    match writeln!(std::io::stdout(), "{text}") {
+        // Whoever read along has seen enough.
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        written => Ok(written?),
     }
-    Ok(())
 }
 
 /// The first line of what the parser of the command line says, which is the whole of its point.

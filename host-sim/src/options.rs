@@ -248,6 +248,11 @@ impl WorldOptions {
             ..base
         };
         config.validate().map_err(Impossible::new)?;
+        if args.layout.is_some() && args.specimens.is_some() {
+            let sentence =
+                "--specimens does not go with --layout: the file says how many there are";
+            return Err(Impossible::new(sentence));
+        }
         let layout = match &args.layout {
             Some(path) => Some(read_layout(path, config.radius)?),
             None => None,

@@ -35,8 +35,9 @@ pub struct TrainingConfig {
 ///
 /// A map represents what is frequent: a neighbourhood average drowns an event of one sample in a
 /// thousand (the capture of a specimen).
-/// A stimulus that is further than `vigilance` from every prototype therefore takes the node that
-/// has won least, and that node no longer follows its neighbours.
+/// A stimulus that is further than `vigilance` from every prototype therefore takes a node that has
+/// not been recruited, the one that has won least, or else the recruited one that has won least;
+/// a recruited node no longer follows its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recruitment {
     /// Squared distance from which on a stimulus is not represented.
@@ -91,8 +92,7 @@ pub enum Trained {
     Adapted,
     /// The sample took the least used node for itself.
     Recruited,
-    /// As `Recruited`, but that node had been recruited before: the map is full and forgot a
-    /// pattern.
+    /// As `Recruited`, but that node had won before: the map is full and forgot what it stood for.
     Displaced,
 }
 
@@ -135,6 +135,7 @@ pub struct ActionSom<
     wins: Grid<u16, WIDTH, HEIGHT>,
     recruited: Grid<bool, WIDTH, HEIGHT>,
     samples: u32,
+    displaced: u32,
 }
 
 impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<WIDTH, HEIGHT>>
@@ -147,6 +148,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
             wins: Grid::filled(0),
             recruited: Grid::filled(false),
             samples: 0,
+            displaced: 0,
         }
     }
 
@@ -156,6 +158,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
         self.wins.as_mut_slice().fill(0);
         self.recruited.as_mut_slice().fill(false);
         self.samples = 0;
+        self.displaced = 0;
     }
 
     /// All nodes in ascending order.
@@ -183,6 +186,12 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
             .get(usize::from(node.0))
             .copied()
             .unwrap_or(0)
+    }
+
+    /// Patterns that a full map has forgotten to represent new ones.
+    #[must_use]
+    pub const fn displaced(&self) -> u32 {
+        self.displaced
     }
 
     /// Samples trained on.
@@ -243,7 +252,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
                 least = candidate;
             }
         }
-        let (was_recruited, _, index) = least;
+        let (_, wins, index) = least;
         let node = NodeId(index as u16);
         self.context.imprint(&sample.context(), node);
         self.result.imprint(&sample.result(), node);
@@ -253,7 +262,8 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
         if let Some(wins) = self.wins.as_mut_slice().get_mut(index) {
             *wins = 1;
         }
-        if was_recruited {
+        if wins > 0 {
+            self.displaced = self.displaced.saturating_add(1);
             Trained::Displaced
         } else {
             Trained::Recruited

@@ -155,7 +155,7 @@ macro_rules! brain {
                 $(
                     const _: () = {
                         let value: f32 = $value;
-                        assert!(value.is_finite(), "an inherent value must be finite");
+                        assert!(value.is_finite() && value >= 0.0, "an inherent value is finite, not below 0");
                     };
                     // The item and the value were checked at compile time.
                     let _ = brain.knowledge_mut().set_inherent_value(Item::$valued.id(), $value);

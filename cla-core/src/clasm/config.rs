@@ -74,6 +74,10 @@ pub enum ConfigError {
     Forgetting,
     /// `values.discount` is outside `[0, 1)` or NaN.
     Discount,
+    /// `values.chain_reliability` is outside `[0, 1]`, or `values.chain_relevance` negative, or NaN.
+    Chain,
+    /// An escape after 0 actions or with a burst of 0.
+    Escape,
     /// A harvest threshold is outside `[0, 1]` or NaN, or `off` is not below `on`.
     Thresholds,
     /// `harvest_every` or `training_run` is 0.
@@ -90,6 +94,8 @@ impl fmt::Display for ConfigError {
             Self::GreedyShare => "the greedy share must lie between 0 and 1",
             Self::Forgetting => "forgetting must lie between 0 and 1",
             Self::Discount => "the discount must lie between 0 and 1, 1 excluded",
+            Self::Chain => "the bounds of a chain must be finite and in range",
+            Self::Escape => "an escape needs at least one action before it and one in it",
             Self::Thresholds => "harvest thresholds must satisfy 0 <= off < on <= 1",
             Self::NoActions => "a harvest and a training run need at least one action",
             Self::Alpha => "the learning rate must not exceed 1",
@@ -147,6 +153,13 @@ impl AgentConfig {
         }
         if !(0.0..1.0).contains(&self.values.discount) {
             return Err(ConfigError::Discount);
+        }
+        let relevance = self.values.chain_relevance;
+        if !share(self.values.chain_reliability) || !relevance.is_finite() || relevance < 0.0 {
+            return Err(ConfigError::Chain);
+        }
+        if self.escape.is_some_and(|it| it.after == 0 || it.burst == 0) {
+            return Err(ConfigError::Escape);
         }
         let HarvestConfig { on, off, .. } = self.harvest;
         if !share(on) || !share(off) || off >= on {

@@ -24,7 +24,7 @@ pub(super) struct Pattern<const WORDS: usize> {
     pub(super) holds: bool,
 }
 
-/// What did not fit, counted since birth.
+/// What did not fit, counted since the tables were made.
 ///
 /// ```
 /// use cla_core::clasm::KnowledgeBase;
@@ -84,6 +84,15 @@ pub struct KnowledgeBase<const WORDS: usize, const PATTERNS: usize, const SCHEMA
     /// The pattern whose value is computed next.
     pub(super) next_value: u16,
     losses: Losses,
+}
+
+/// What a new schema finds when the table is full.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum WhenFull {
+    /// No room: the caller will come again.
+    Refuse,
+    /// The least successful schema leaves, if it is less successful than the newcomer.
+    Evict,
 }
 
 /// A schema was not stored: the table is full of better supported ones (counted in [`Losses`]).
@@ -191,7 +200,16 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         activations: u32,
     ) -> Result<SchemaId, TableFull> {
         let support = u16::try_from(successes).unwrap_or(u16::MAX).max(1);
-        let id = self.support(&text.context, text.action, &text.result, support)?;
+        let found = self.support(
+            &text.context,
+            text.action,
+            &text.result,
+            support,
+            WhenFull::Evict,
+        );
+        // A refusal or an eviction may leave conjunctions that no schema uses.
+        self.drop_unused_patterns();
+        let id = found?;
         if let Some(schema) = self.schemas.get_mut(usize::from(id.0)) {
             schema.reliability = Reliability::from_counts(successes, activations);
         }
@@ -214,26 +232,13 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         coding: ResultCoding,
         config: &HarvestConfig,
     ) {
-        for schema in &mut self.schemas {
-            schema.support = 0;
+        // What is still said is marked before anything is evicted for something new: only what no
+        // node says any more makes room.
+        let before = self.losses;
+        if !self.support_all(maps, coding, config, WhenFull::Refuse) {
+            self.losses = before;
+            self.support_all(maps, coding, config, WhenFull::Evict);
         }
-        for (action, map) in maps.iter().enumerate() {
-            let action = ActionId(action as u16);
-            for node in map.nodes() {
-                let Some(node) = harvest_node(map, node, coding, config) else {
-                    continue;
-                };
-                let HarvestedNode {
-                    context,
-                    result,
-                    wins,
-                } = node;
-                // A refusal is counted; the other nodes may still find their schemas.
-                let _ = self.support(&context, action, &result, wins.max(1));
-            }
-        }
-        self.schemas.retain(|schema| schema.support > 0);
-        self.drop_unused_patterns();
         self.start_new_records();
     }
 
@@ -294,12 +299,50 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         }
     }
 
+    /// Supports the schemas of all nodes and drops what none says; whether everything found room.
+    fn support_all<
+        const WIDTH: usize,
+        const HEIGHT: usize,
+        const ITEMS: usize,
+        M: Prototypes<WIDTH, HEIGHT>,
+    >(
+        &mut self,
+        maps: &[ActionSom<WIDTH, HEIGHT, ITEMS, M>],
+        coding: ResultCoding,
+        config: &HarvestConfig,
+        when_full: WhenFull,
+    ) -> bool {
+        for schema in &mut self.schemas {
+            schema.support = 0;
+        }
+        let mut complete = true;
+        for (action, map) in maps.iter().enumerate() {
+            let action = ActionId(action as u16);
+            for node in map.nodes() {
+                let Some(node) = harvest_node(map, node, coding, config) else {
+                    continue;
+                };
+                let HarvestedNode {
+                    context,
+                    result,
+                    wins,
+                } = node;
+                let found = self.support(&context, action, &result, wins.max(1), when_full);
+                complete &= found.is_ok();
+            }
+        }
+        self.schemas.retain(|schema| schema.support > 0);
+        self.drop_unused_patterns();
+        complete
+    }
+
     fn support(
         &mut self,
         context: &SignedItems<WORDS>,
         action: ActionId,
         result: &SignedItems<WORDS>,
         wins: u16,
+        when_full: WhenFull,
     ) -> Result<SchemaId, TableFull> {
         let context = self.intern(context)?;
         let result = self.intern(result)?;
@@ -322,7 +365,8 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         };
         match self.schemas.push(new) {
             Ok(()) => Ok(SchemaId(self.schemas.len() as u16 - 1)),
-            Err(new) => self.evict_for(new),
+            Err(new) if when_full == WhenFull::Evict => self.evict_for(new),
+            Err(_) => Err(TableFull),
         }
     }
 

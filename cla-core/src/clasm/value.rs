@@ -70,6 +70,8 @@ impl ValueConfig {
 pub enum InherentValueError {
     /// The value is NaN or infinite.
     NotFinite,
+    /// The value is below 0: there is nothing to avoid in this theory, only things to reach.
+    Negative,
     /// The item does not fit the capacity.
     NoSuchItem,
 }
@@ -78,6 +80,7 @@ impl fmt::Display for InherentValueError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::NotFinite => "an inherent value must be a finite number",
+            Self::Negative => "an inherent value must not be negative",
             Self::NoSuchItem => "the item does not fit the capacity",
         })
     }
@@ -99,6 +102,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     ) -> Result<(), InherentValueError> {
         if !value.is_finite() {
             return Err(InherentValueError::NotFinite);
+        }
+        if value < 0.0 {
+            return Err(InherentValueError::Negative);
         }
         let slot = self
             .inherent

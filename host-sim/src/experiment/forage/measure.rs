@@ -59,7 +59,7 @@ pub fn record_of<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize
     record
 }
 
-/// Whether some schema promises the item: the result has it on.
+/// Whether some schema promises the item: the result has it on, the context has not.
 #[must_use]
 pub fn promises<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
     knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
@@ -67,7 +67,9 @@ pub fn promises<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 ) -> bool {
     (0..knowledge.schemas().len())
         .filter_map(|index| knowledge.text(SchemaId(index as u16)))
-        .any(|text| text.result.positive().contains(item))
+        .any(|text| {
+            text.result.positive().contains(item) && !text.context.positive().contains(item)
+        })
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use cla_core::clasm::AgentConfig;
 use crate::options::{Failure, WorldOptions};
 use crate::progress::Progress;
 use crate::report::Results;
+use crate::world::config::PioneerConfig;
 
 /// Actions of training between two tests (book, 6.2.4).
 pub const SNAPSHOT: u32 = 1000;
@@ -45,6 +46,18 @@ pub struct ForageOptions {
     pub actions: u32,
     /// Actions of a test (book: 3000).
     pub test_actions: u32,
+}
+
+impl ForageOptions {
+    /// Whether this is another world, learner or length than the one that the claims are about.
+    #[must_use]
+    pub fn is_varied(&self) -> bool {
+        self.world.config != PioneerConfig::NOISY
+            || self.world.layout.is_some()
+            || self.brain != AgentConfig::FORAGER
+            || self.actions != 10_000
+            || self.test_actions != 3_000
+    }
 }
 
 /// Runs all seeds, judges the claims and draws the figures.

@@ -50,7 +50,9 @@ pub struct Trial {
     pub first_ingrip: Option<u32>,
     /// Captures while training.
     pub training_captures: u32,
-    /// A brain that learned and chose by the book's rule.
+    /// A brain like the book's in everything: straight schedules, no recruitment, its choice rule.
+    pub book: Captures,
+    /// Our learner, but with the book's choice rule and its values.
     pub lexicographic: Captures,
     /// Random actions.
     pub random: Captures,
@@ -77,8 +79,8 @@ pub struct Trial {
 /// How many actions one seed takes, for the progress bar.
 #[must_use]
 pub fn work(options: &ForageOptions) -> u64 {
-    let tests = u64::from(options.actions / SNAPSHOT + 1) + 6;
-    u64::from(options.actions) * 3 + tests * 2 * u64::from(options.test_actions)
+    let tests = u64::from(options.actions / SNAPSHOT + 1) + 7;
+    u64::from(options.actions) * 4 + tests * 2 * u64::from(options.test_actions)
 }
 
 /// Runs one seed.
@@ -130,12 +132,14 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
         layout: options.world.layout.clone(),
     };
     let forward = options.world.config.forward;
+    let all_by_the_book = bench.trained(AgentConfig::BOOK, &options.world)?;
     let by_the_book = bench.trained(book, &options.world)?;
     let in_the_quiet = bench.trained(options.brain, &quiet)?;
     Ok(Trial {
         snapshots,
         first_ingrip,
         training_captures,
+        book: bench.test(&all_by_the_book, &options.world)?,
         lexicographic: bench.test(&by_the_book, &options.world)?,
         random: bench.rival(
             &mut Random { actions: 6 },
