@@ -1,14 +1,3 @@
-#![no_std]
-#![cfg_attr(
-    not(test),
-    deny(
-        clippy::indexing_slicing,
-        clippy::unwrap_used,
-        clippy::expect_used,
-        clippy::unreachable,
-        clippy::panic_in_result_fn
-    )
-)]
 //! A robot brain that grows: self-organizing maps become schemas, schemas become behaviour.
 //!
 //! This is the Constructivist Learning Architecture of Harold Chaput (2004) for a robot's own
@@ -77,6 +66,18 @@
 //! [`layer`] (maps joined into hierarchies, overload, fallback) and, beside it,
 //! [`clasm`] (items, Action SOMs, schemas, values, choice, the agent).
 //! [`forager`] describes the book's robot.
+
+#![no_std]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::unreachable,
+        clippy::panic_in_result_fn
+    )
+)]
 
 #[cfg(test)]
 extern crate std;
