@@ -11,6 +11,8 @@ crate::brain! {
         maps: 20 x 20,
         patterns: 128,
         schemas: 1024,
-        ram: 208_000,
+        synthetic: 384,
+        beliefs: 3072,
+        ram: 252_000,
     }
 }

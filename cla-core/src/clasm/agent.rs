@@ -9,12 +9,14 @@ use core::fmt;
 
 use super::action::ActionId;
 use super::action_som::{ActionSomBank, Trained};
+use super::belief::SyntheticId;
 use super::choice::{ChoiceRule, Preference};
 use super::config::{AgentConfig, ConfigError};
 use super::item::ItemStates;
 use super::knowledge::{KnowledgeBase, Outcome};
 use super::sample::Sample;
 use super::schema::SchemaId;
+use super::second_level::{Fallback, Level2Config, SecondLevel};
 use crate::num::Rng;
 
 /// What an agent is doing with its life.
@@ -67,11 +69,25 @@ pub enum Reason {
     Escape,
 }
 
+/// A level of the hierarchy of schemas.
+///
+/// ```
+/// use cla_core::clasm::Level;
+/// assert!(Level::One < Level::Two);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// Schemas of primitive items.
+    One,
+    /// Schemas with synthetic items.
+    Two,
+}
+
 /// A chosen action.
 ///
 /// ```
 /// use cla_core::clasm::{ActionId, Choice, Reason};
-/// let it = Choice { action: ActionId(0), reason: Reason::Escape, schema: None, value: 0.0 };
+/// let it = Choice { action: ActionId(0), reason: Reason::Escape, level: None, schema: None, value: 0.0 };
 /// assert_eq!(it.schema, None);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,6 +96,8 @@ pub struct Choice {
     pub action: ActionId,
     /// Why.
     pub reason: Reason,
+    /// The level that decided; `None` for a random action.
+    pub level: Option<Level>,
     /// The schema that speaks for it most, when the choice was by value.
     pub schema: Option<SchemaId>,
     /// The value that decided; 0 for a random action.
@@ -132,14 +150,14 @@ impl fmt::Display for AgentError {
 
 impl core::error::Error for AgentError {}
 
-/// A learning controller in fixed memory; [`brain!`](crate::brain) names its seven capacities.
+/// A learning controller in fixed memory; [`brain!`](crate::brain) names its nine capacities.
 ///
-/// Items in words and in number, the sides of the maps, actions, and the capacities of the
-/// knowledge base.
+/// Items in words and in number, the sides of the maps, actions, the capacities of the knowledge
+/// base and those of the second level, 0 for a brain of one level.
 ///
 /// ```
 /// use cla_core::clasm::{Agent, AgentConfig, ItemStates};
-/// let mut agent = Box::new(Agent::<1, 7, 8, 8, 6, 64, 256>::new());
+/// let mut agent = Box::new(Agent::<1, 7, 8, 8, 6, 64, 256, 0, 0>::new());
 /// agent.begin(AgentConfig::FORAGER, 1)?;
 /// let now = ItemStates::all_off(7);
 /// let choice = agent.choose(&now)?;
@@ -156,9 +174,15 @@ pub struct Agent<
     const ACTIONS: usize,
     const PATTERNS: usize,
     const SCHEMAS: usize,
+    const SYNTHETIC: usize = 0,
+    const BELIEFS: usize = 0,
 > {
     bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS>,
     knowledge: KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+    level2: SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>,
+    /// The item of the schema that has succeeded last, and the state that it led to.
+    trace: Option<SyntheticId>,
+    arrived: ItemStates<WORDS>,
     config: Option<AgentConfig>,
     rng: Rng,
     stage: Stage,
@@ -179,7 +203,9 @@ impl<
     const ACTIONS: usize,
     const PATTERNS: usize,
     const SCHEMAS: usize,
-> Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS>
+    const SYNTHETIC: usize,
+    const BELIEFS: usize,
+> Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>
 {
     /// An unborn agent of all-zero memory.
     #[must_use]
@@ -194,6 +220,9 @@ impl<
         Self {
             bank: ActionSomBank::new(),
             knowledge: KnowledgeBase::new(),
+            level2: SecondLevel::new(),
+            trace: None,
+            arrived: ItemStates::UNKNOWN,
             config: None,
             rng: Rng::UNSEEDED,
             stage: Stage::Unborn,
@@ -219,6 +248,8 @@ impl<
         self.rng = Rng::stream(seed, 1);
         self.bank.randomize(&mut self.rng);
         self.knowledge.forget_schemas();
+        self.level2.clear();
+        self.trace = None;
         self.stage = Stage::Training;
         self.chosen = None;
         self.since_harvest = 0;
@@ -246,19 +277,13 @@ impl<
         } else if self.escapes(&config) {
             self.random(Reason::Escape)
         } else {
-            match self
-                .knowledge
-                .prefer::<ACTIONS>(now, config.rule, &config.values)
-            {
-                Some(Preference {
-                    action,
-                    schema,
-                    value,
-                }) => Choice {
-                    action,
+            match self.prefer(now, &config) {
+                Some((level, preference)) => Choice {
+                    action: preference.action,
                     reason: Reason::Value,
-                    schema,
-                    value,
+                    level: Some(level),
+                    schema: preference.schema,
+                    value: preference.value,
                 },
                 None => self.random(Reason::NothingApplies),
             }
@@ -306,12 +331,19 @@ impl<
             reward: self.knowledge.reward(after),
             ..Lesson::default()
         };
-        if self.stage == Stage::Acting(Adaptation::Frozen) {
+        let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
+        lesson.outcome = if frozen {
+            self.knowledge.explain(before, action, after)
+        } else {
+            self.knowledge
+                .record(before, action, after, config.forgetting)
+        };
+        if let Some(level2) = &config.level2 {
+            self.follow_trace(before, action, after, lesson.outcome.schema, level2, frozen);
+        }
+        if frozen {
             return Ok(lesson);
         }
-        lesson.outcome = self
-            .knowledge
-            .record(before, action, after, config.forgetting);
         if self.stage != Stage::Acting(Adaptation::Reliabilities) {
             let sample = Sample::new(before, after, config.coding, ITEMS as u16);
             lesson.trained = self.bank.train(action, &sample, &config.training);
@@ -323,6 +355,17 @@ impl<
         }
         self.knowledge
             .improve_values::<ACTIONS>(config.values_per_step, &config.values);
+        if let Some(level2) = &config.level2 {
+            let Self {
+                level2: level,
+                knowledge,
+                ..
+            } = self;
+            if let Some(trace) = self.trace {
+                level.improve(knowledge, trace, &config.values, level2);
+            }
+            level.improve_values(knowledge, level2.values_per_step, &config.values, level2);
+        }
         Ok(lesson)
     }
 
@@ -336,6 +379,9 @@ impl<
         if config.rule == ChoiceRule::Lexicographic {
             self.knowledge.defer_values(&config.values);
         }
+        self.level2.follow(&self.knowledge);
+        let trace = self.trace;
+        self.trace = trace.filter(|&trace| self.level2.schema(trace).is_some());
         self.since_harvest = 0;
     }
 
@@ -352,11 +398,42 @@ impl<
         }
         if config.rule == ChoiceRule::ExpectedValue {
             self.knowledge.settle_values::<ACTIONS>(100, &config.values);
+            if let Some(level2) = &config.level2 {
+                let items = self.level2.table.rows.len() as u16;
+                for _ in 0..30 {
+                    self.level2
+                        .improve_values(&mut self.knowledge, items, &config.values, level2);
+                }
+            }
         }
         self.stage = Stage::Acting(adaptation);
         self.since_reward = 0;
         self.burst = 0;
         Ok(())
+    }
+
+    /// Goes on with another configuration; what has been learned stays.
+    ///
+    /// This is how a second level begins: the book trains level 1 alone first (6.2.4).
+    ///
+    /// # Errors
+    /// [`ConfigError`]; the agent is as it was.
+    pub fn reconfigure(&mut self, config: AgentConfig) -> Result<(), ConfigError> {
+        config.check()?;
+        self.config = Some(config);
+        Ok(())
+    }
+
+    /// The second level.
+    #[must_use]
+    pub const fn second_level(&self) -> &SecondLevel<ACTIONS, SYNTHETIC, BELIEFS> {
+        &self.level2
+    }
+
+    /// The synthetic item of the schema that has just succeeded.
+    #[must_use]
+    pub const fn trace(&self) -> Option<SyntheticId> {
+        self.trace
     }
 
     /// What the agent knows.
@@ -382,6 +459,76 @@ impl<
         self.stage
     }
 
+    /// What the highest level that has something to say prefers.
+    fn prefer(
+        &mut self,
+        now: &ItemStates<WORDS>,
+        config: &AgentConfig,
+    ) -> Option<(Level, Preference)> {
+        if let (Some(level2), Some(trace)) = (&config.level2, self.trace_in(now)) {
+            let Self {
+                level2: level,
+                knowledge,
+                ..
+            } = self;
+            let overloaded = match level2.fallback {
+                Fallback::MeanReliability(share) => level.is_overloaded(share),
+                Fallback::Never | Fallback::ValueThenReliability => false,
+            };
+            let above = level
+                .prefer(knowledge, now, trace, &config.values, level2)
+                .filter(|_| !overloaded);
+            if let Some(above) = above {
+                let below = match level2.fallback {
+                    Fallback::ValueThenReliability => {
+                        knowledge.prefer::<ACTIONS>(now, config.rule, &config.values)
+                    }
+                    Fallback::Never | Fallback::MeanReliability(_) => None,
+                };
+                return match below {
+                    Some(below) if below.value > above.value => Some((Level::One, below)),
+                    _ => Some((Level::Two, above)),
+                };
+            }
+        }
+        let found = self
+            .knowledge
+            .prefer::<ACTIONS>(now, config.rule, &config.values);
+        found.map(|preference| (Level::One, preference))
+    }
+
+    /// The trace, if the robot is still where its schema has led.
+    fn trace_in(&self, state: &ItemStates<WORDS>) -> Option<SyntheticId> {
+        self.trace.filter(|_| self.arrived == *state)
+    }
+
+    fn follow_trace(
+        &mut self,
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+        succeeded: Option<SchemaId>,
+        config: &Level2Config,
+        frozen: bool,
+    ) {
+        let trace = self.trace_in(before);
+        let item = succeeded.and_then(|schema| {
+            if frozen {
+                self.knowledge
+                    .schemas()
+                    .get(usize::from(schema.0))?
+                    .synthetic
+            } else {
+                self.level2.reify(&mut self.knowledge, schema)
+            }
+        });
+        if let (Some(trace), Some(_), false) = (trace, item, frozen) {
+            self.level2.record(trace, action, item, config);
+        }
+        self.trace = item;
+        self.arrived = *after;
+    }
+
     /// Whether this step of training is random; drawn anew for each run of actions.
     fn explores(&mut self, config: &AgentConfig) -> bool {
         if self.run == 0 {
@@ -397,6 +544,7 @@ impl<
         Choice {
             action,
             reason,
+            level: None,
             schema: None,
             value: 0.0,
         }
@@ -425,7 +573,9 @@ impl<
     const ACTIONS: usize,
     const PATTERNS: usize,
     const SCHEMAS: usize,
-> Default for Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS>
+    const SYNTHETIC: usize,
+    const BELIEFS: usize,
+> Default for Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>
 {
     fn default() -> Self {
         Self::new()

@@ -2,12 +2,13 @@
 
 use super::{Adaptation, AgentError, Reason, Stage};
 use crate::clasm::{
-    ActionId, AgentConfig, ChoiceRule, ConfigError, Escape, ItemId, ItemStates, Vocabulary,
+    ActionId, AgentConfig, ChoiceRule, ConfigError, Escape, Fallback, ItemId, ItemStates, Level,
+    Level2Config, Vocabulary,
 };
 use std::boxed::Box;
 
 /// A corridor of four cells; the last one holds what is valuable and leads back to the first.
-type Walker = super::Agent<1, 4, 6, 6, 2, 64, 256>;
+type Walker = super::Agent<1, 4, 6, 6, 2, 64, 256, 0, 0>;
 
 const WORDS: Vocabulary = Vocabulary {
     items: &["a", "b", "c", "gold"],
@@ -234,4 +235,138 @@ fn schemas_are_written_in_the_books_notation() {
         text.display(&WORDS, Detail::Abbreviated).to_string() == "+c/on/+gold"
     });
     assert!(found);
+}
+
+/// A door that opens by `press` only right after `pull`, and looks the same before and after that.
+struct Door {
+    pulled: bool,
+    open: bool,
+}
+
+type Keeper = super::Agent<1, 2, 4, 4, 2, 8, 32, 16, 64>;
+
+impl Door {
+    fn sense(&self) -> ItemStates<1> {
+        let mut now = ItemStates::all_off(2);
+        now.set(ItemId(u16::from(self.open)), Some(true)).unwrap();
+        now
+    }
+
+    fn act(&mut self, action: ActionId) {
+        let press = action == ActionId(1);
+        self.open = press && self.pulled;
+        self.pulled = !press;
+    }
+}
+
+fn keeper(level2: Option<Level2Config>) -> (Box<Keeper>, Door) {
+    let config = AgentConfig {
+        level2,
+        escape: None,
+        ..AgentConfig::FORAGER
+    };
+    let mut agent = Box::new(Keeper::new());
+    agent.begin(config, 4).unwrap();
+    agent
+        .knowledge_mut()
+        .set_inherent_value(ItemId(1), 10.0)
+        .unwrap();
+    let door = Door {
+        pulled: false,
+        open: false,
+    };
+    (agent, door)
+}
+
+fn keep(agent: &mut Keeper, door: &mut Door, steps: u32) -> u32 {
+    let mut opened = 0;
+    for _ in 0..steps {
+        let choice = agent.choose(&door.sense()).unwrap();
+        door.act(choice.action);
+        agent.learn(&door.sense()).unwrap();
+        opened += u32::from(door.open);
+    }
+    opened
+}
+
+#[test]
+fn the_second_level_sees_what_a_snapshot_cannot_tell() {
+    let opened = |level2| {
+        let (mut agent, mut door) = keeper(level2);
+        keep(&mut agent, &mut door, 1500);
+        agent.act(Adaptation::Frozen).unwrap();
+        keep(&mut agent, &mut door, 400)
+    };
+    // Pull, press, pull, press: at most every second action opens.
+    assert!(opened(Some(Level2Config::FORAGER)) > 190);
+    assert!(opened(None) < 100);
+}
+
+#[test]
+fn what_happens_later_changes_no_earlier_belief_and_no_earlier_choice() {
+    let config = Level2Config::FORAGER;
+    let life = |turn: u32, seed: u64| {
+        let (mut agent, mut door) = keeper(Some(config));
+        let mut other = crate::num::Rng::new(seed);
+        let mut history = std::vec::Vec::new();
+        for step in 0..600 {
+            let choice = agent.choose(&door.sense()).unwrap();
+            history.push((choice, agent.second_level().clone()));
+            // From the turn on another world answers.
+            door.act(choice.action);
+            if step >= turn {
+                door.open = other.chance(0.5);
+            }
+            agent.learn(&door.sense()).unwrap();
+        }
+        history
+    };
+    let (one, two) = (life(400, 1), life(400, 2));
+    assert_eq!(one[..=400], two[..=400]);
+    assert_ne!(one[599].1, two[599].1);
+}
+
+#[test]
+fn an_overloaded_level_leaves_the_decision_to_the_one_below() {
+    let config = Level2Config {
+        fallback: Fallback::MeanReliability(0.7),
+        ..Level2Config::FORAGER
+    };
+    let (mut agent, mut door) = keeper(Some(config));
+    keep(&mut agent, &mut door, 3000);
+    agent.act(Adaptation::Reliabilities).unwrap();
+    keep(&mut agent, &mut door, 200);
+    let now = door.sense();
+    assert_eq!(agent.choose(&now).unwrap().level, Some(Level::Two));
+    // A door that opens at random: nothing that was believed comes true reliably.
+    let mut rng = crate::num::Rng::new(7);
+    let mut fallen = false;
+    for _ in 0..200 {
+        let choice = agent.choose(&door.sense()).unwrap();
+        fallen |= choice.level == Some(Level::One);
+        door.open = rng.chance(0.5);
+        agent.learn(&door.sense()).unwrap();
+    }
+    assert!(fallen);
+}
+
+#[test]
+fn items_follow_their_schemas_through_harvests() {
+    let (mut agent, mut door) = keeper(Some(Level2Config::FORAGER));
+    for _ in 0..20 {
+        keep(&mut agent, &mut door, 100);
+        let level = agent.second_level();
+        let schemas = agent.knowledge().schemas();
+        for (index, schema) in schemas.iter().enumerate() {
+            if let Some(item) = schema.synthetic {
+                assert_eq!(level.schema(item).map(|id| id.0), Some(index as u16));
+            }
+        }
+        // What follows a schema begins where that schema ends.
+        for belief in level.beliefs() {
+            let of = |item| schemas[usize::from(level.schema(item).unwrap().0)];
+            assert_eq!(of(belief.trace).result, of(belief.item).context);
+        }
+    }
+    assert!(agent.second_level().items() > 0);
 }

@@ -60,6 +60,8 @@ macro_rules! brain {
             maps: $width:literal x $height:literal,
             patterns: $patterns:expr,
             schemas: $schemas:expr,
+            $(synthetic: $synthetic:expr,
+            beliefs: $beliefs:expr,)?
             ram: $ram:expr $(,)?
         }
     ) => {
@@ -129,6 +131,8 @@ macro_rules! brain {
                 { ACTIONS.len() },
                 $patterns,
                 $schemas,
+                { 0 $(+ $synthetic)? },
+                { 0 $(+ $beliefs)? },
             >;
 
             /// Bytes of static memory that a brain takes.

@@ -113,7 +113,11 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     }
 
     /// Of the schemas that held at the last look, the most reliable for an action.
-    fn most_reliable_applicable(&self, action: ActionId, config: &ValueConfig) -> Option<SchemaId> {
+    pub(super) fn most_reliable_applicable(
+        &self,
+        action: ActionId,
+        config: &ValueConfig,
+    ) -> Option<SchemaId> {
         let mut best: Option<(f32, SchemaId)> = None;
         for (index, schema) in self.schemas.iter().enumerate() {
             let context = self.patterns.get(usize::from(schema.context.0));

@@ -6,6 +6,7 @@ use super::action_som::TrainingConfig;
 use super::choice::ChoiceRule;
 use super::harvest::HarvestConfig;
 use super::sample::ResultCoding;
+use super::second_level::Level2Config;
 use super::value::ValueConfig;
 
 /// How an agent learns and chooses.
@@ -41,6 +42,8 @@ pub struct AgentConfig {
     pub training_run: u16,
     /// A way out of loops; without it a robot may shuttle forever.
     pub escape: Option<Escape>,
+    /// The second level; without it level 1 decides alone.
+    pub level2: Option<Level2Config>,
 }
 
 /// Random actions after a long time without reward.
@@ -84,6 +87,8 @@ pub enum ConfigError {
     NoActions,
     /// The learning rate starts above 1.
     Alpha,
+    /// The second level's prior is not above 0, or its forgetting outside `[0, 1)`, or NaN.
+    Level2,
     /// The neighbourhood cut is outside `[0, 1]`, or a weight or vigilance is negative, or NaN.
     Training,
 }
@@ -99,6 +104,7 @@ impl fmt::Display for ConfigError {
             Self::Thresholds => "harvest thresholds must satisfy 0 <= off < on <= 1",
             Self::NoActions => "a harvest and a training run need at least one action",
             Self::Alpha => "the learning rate must not exceed 1",
+            Self::Level2 => "a prior must be above 0, forgetting between 0 and 1, 1 excluded",
             Self::Training => "cut, result weight and vigilance must be finite and in range",
         })
     }
@@ -121,6 +127,7 @@ impl AgentConfig {
         greedy_share: 0.2,
         training_run: 1,
         escape: None,
+        level2: None,
     };
 
     /// What works best on the simulated Pioneer: rare events recruited, expected value, escape.
@@ -137,6 +144,14 @@ impl AgentConfig {
             burst: 10,
         }),
         ..Self::BOOK
+    };
+
+    /// The forager with both levels: the second needs to see where the robot's own ways lead, so
+    /// training is mostly greedy.
+    pub const FORAGER_LEVEL2: Self = Self {
+        greedy_share: 0.8,
+        level2: Some(Level2Config::FORAGER),
+        ..Self::FORAGER
     };
 
     /// Whether the values make sense together.
@@ -160,6 +175,9 @@ impl AgentConfig {
         }
         if self.escape.is_some_and(|it| it.after == 0 || it.burst == 0) {
             return Err(ConfigError::Escape);
+        }
+        if self.level2.is_some_and(|it| !it.is_sound()) {
+            return Err(ConfigError::Level2);
         }
         let HarvestConfig { on, off, .. } = self.harvest;
         if !share(on) || !share(off) || off >= on {

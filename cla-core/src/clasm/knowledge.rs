@@ -51,6 +51,8 @@ pub struct Outcome {
     pub activated: u16,
     /// Those whose result came.
     pub succeeded: u16,
+    /// The one of those that says most, by the number of its items; of equals the first.
+    pub schema: Option<SchemaId>,
 }
 
 impl Outcome {
@@ -252,21 +254,56 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         after: &ItemStates<WORDS>,
         forgetting: f32,
     ) -> Outcome {
+        self.check(before, action, after, |schema, success| {
+            schema.reliability.record(success, forgetting);
+        })
+    }
+
+    /// As [`record`](Self::record), but nothing is learned: which schemas the action has proved
+    /// right.
+    pub fn explain(
+        &mut self,
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+    ) -> Outcome {
+        self.check(before, action, after, |_, _| {})
+    }
+
+    fn check(
+        &mut self,
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+        mut found: impl FnMut(&mut Schema, bool),
+    ) -> Outcome {
         self.look_at(before);
         let mut outcome = Outcome::default();
+        let mut most = 0;
         let Self {
             patterns, schemas, ..
         } = self;
-        for schema in schemas.iter_mut().filter(|schema| schema.action == action) {
+        for (index, schema) in schemas.iter_mut().enumerate() {
             let held = |id: PatternId| patterns.get(usize::from(id.0));
-            if !held(schema.context).is_some_and(|pattern| pattern.holds) {
+            if schema.action != action {
                 continue;
             }
-            let truth = held(schema.result).and_then(|pattern| pattern.items.truth(after));
-            if let Some(success) = truth {
-                schema.reliability.record(success, forgetting);
-                outcome.activated = outcome.activated.saturating_add(1);
-                outcome.succeeded = outcome.succeeded.saturating_add(u16::from(success));
+            let (Some(context), Some(result)) = (held(schema.context), held(schema.result)) else {
+                continue;
+            };
+            if !context.holds {
+                continue;
+            }
+            let Some(success) = result.items.truth(after) else {
+                continue;
+            };
+            found(schema, success);
+            outcome.activated = outcome.activated.saturating_add(1);
+            outcome.succeeded = outcome.succeeded.saturating_add(u16::from(success));
+            let says = context.items.len() + result.items.len();
+            if success && (outcome.schema.is_none() || says > most) {
+                most = says;
+                outcome.schema = Some(SchemaId(index as u16));
             }
         }
         outcome
@@ -361,6 +398,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             action,
             result,
             support: wins,
+            synthetic: None,
             reliability,
         };
         match self.schemas.push(new) {

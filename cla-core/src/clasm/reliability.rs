@@ -30,6 +30,13 @@ pub struct Reliability {
 }
 
 impl Reliability {
+    /// No trial yet.
+    pub const ZERO: Self = Self {
+        successes: 0,
+        activations: 0,
+        recent: 0.0,
+    };
+
     /// The record of `successes` out of `activations` trials (at least as many as successes).
     #[must_use]
     pub fn from_counts(successes: u32, activations: u32) -> Self {

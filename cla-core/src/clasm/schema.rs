@@ -1,6 +1,7 @@
 //! A schema as it is stored: context / action / result by reference, and its trials (book, 5.1.1).
 
 use super::action::ActionId;
+use super::belief::SyntheticId;
 use super::reliability::Reliability;
 
 /// The index of a conjunction in a knowledge base.
@@ -26,7 +27,7 @@ pub struct SchemaId(pub u16);
 /// Contexts and results repeat, so each is stored once and named by its [`PatternId`].
 ///
 /// ```
-/// assert_eq!(core::mem::size_of::<cla_core::clasm::Schema>(), 20);
+/// assert_eq!(core::mem::size_of::<cla_core::clasm::Schema>(), 24);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schema {
@@ -38,6 +39,8 @@ pub struct Schema {
     pub result: PatternId,
     /// How often nodes of the last harvest that say this had won; 0 when none says it any more.
     pub support: u16,
+    /// The synthetic item that stands for it at level 2, if it has one.
+    pub synthetic: Option<SyntheticId>,
     /// Its trials.
     pub reliability: Reliability,
 }

@@ -340,6 +340,6 @@ pub struct Appraisal {
     pub applicable: bool,
 }
 
-fn state_of<const WORDS: usize>(items: &SignedItems<WORDS>) -> ItemStates<WORDS> {
+pub(super) fn state_of<const WORDS: usize>(items: &SignedItems<WORDS>) -> ItemStates<WORDS> {
     ItemStates::from_sets(items.positive(), items.negative())
 }

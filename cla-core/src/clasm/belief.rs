@@ -1,0 +1,359 @@
+//! What a schema's success says about the schemas that could come next: counters of beliefs (5.1.1).
+//!
+//! A synthetic item `[schema]` is the hypothetical state in which its schema would succeed.
+//! Whether it was on is known one action later, in hindsight: on if its schema succeeded, off if
+//! another result of the same action came, unknown if another action was done.
+//! Each item keeps these labels per *trace*, the schema that had succeeded just before, and they
+//! become a belief when that trace comes again: from the past alone.
+
+use super::action::ActionId;
+use super::schema::SchemaId;
+
+/// The index of a synthetic item.
+///
+/// ```
+/// use cla_core::clasm::SyntheticId;
+/// assert!(SyntheticId(0) < SyntheticId(1));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SyntheticId(pub u16);
+
+/// How often `item` was on right after `trace` had succeeded.
+///
+/// ```
+/// assert_eq!(core::mem::size_of::<cla_core::clasm::Belief>(), 8);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Belief {
+    /// The item of the schema that had just succeeded.
+    pub trace: SyntheticId,
+    /// The item that was then on.
+    pub item: SyntheticId,
+    /// Verified occasions on which it was on; older ones weigh less.
+    pub on: f32,
+}
+
+/// One synthetic item.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Row<const ACTIONS: usize> {
+    /// The schema that it stands for; `None` for a free row.
+    pub(super) schema: Option<SchemaId>,
+    /// That schema's action.
+    pub(super) action: ActionId,
+    /// What being in the state after its success is worth.
+    pub(super) value: f32,
+    /// How often each action was done right after its success; older times weigh less.
+    pub(super) tried: [f32; ACTIONS],
+}
+
+/// What did not fit the second level's tables.
+///
+/// ```
+/// assert_eq!(cla_core::clasm::BeliefLosses::default().refused_items, 0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BeliefLosses {
+    /// Items that were hardly used and made room for new ones.
+    pub evicted_items: u32,
+    /// Schemas that found no room to become items.
+    pub refused_items: u32,
+    /// Counters with the least evidence that made room for new ones.
+    pub evicted_beliefs: u32,
+}
+
+/// The synthetic items of `ACTIONS` actions and the beliefs about them, in fixed memory.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct BeliefTable<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize> {
+    pub(super) rows: heapless::Vec<Row<ACTIONS>, ITEMS, u16>,
+    /// In ascending order of (trace, item).
+    beliefs: heapless::Vec<Belief, BELIEFS, u16>,
+    pub(super) losses: BeliefLosses,
+}
+
+/// Uses up to which an item gives way to a new one when all rows are taken.
+const HARDLY_USED: f32 = 2.0;
+
+impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
+    BeliefTable<ACTIONS, ITEMS, BELIEFS>
+{
+    pub(super) const fn new() -> Self {
+        const {
+            assert!(
+                ITEMS < u16::MAX as usize && BELIEFS < u16::MAX as usize,
+                "at most 65,534 synthetic items and beliefs"
+            );
+        }
+        Self {
+            rows: heapless::Vec::new(),
+            beliefs: heapless::Vec::new(),
+            losses: BeliefLosses {
+                evicted_items: 0,
+                refused_items: 0,
+                evicted_beliefs: 0,
+            },
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.rows.clear();
+        self.beliefs.clear();
+    }
+
+    /// A row for a schema: a new one, a free one, or that of the item with the fewest uses if they
+    /// are hardly any.
+    pub(super) fn add(
+        &mut self,
+        schema: SchemaId,
+        action: ActionId,
+        value: f32,
+    ) -> Option<SyntheticId> {
+        let row = Row {
+            schema: Some(schema),
+            action,
+            value,
+            tried: [0.0; ACTIONS],
+        };
+        if self.rows.push(row).is_ok() {
+            return Some(SyntheticId(self.rows.len() as u16 - 1));
+        }
+        let mut least: Option<(f32, usize)> = None;
+        for (index, row) in self.rows.iter().enumerate() {
+            let uses = if row.schema.is_some() {
+                uses(row)
+            } else {
+                -1.0
+            };
+            if least.is_none_or(|(other, _)| uses < other) {
+                least = Some((uses, index));
+            }
+        }
+        match least {
+            Some((uses, index)) if uses <= HARDLY_USED => {
+                if uses >= 0.0 {
+                    self.losses.evicted_items = self.losses.evicted_items.saturating_add(1);
+                }
+                let id = SyntheticId(index as u16);
+                self.free(id);
+                *self.rows.get_mut(index)? = row;
+                Some(id)
+            }
+            _ => {
+                self.losses.refused_items = self.losses.refused_items.saturating_add(1);
+                None
+            }
+        }
+    }
+
+    /// Makes a row free and drops every belief that mentions it.
+    pub(super) fn free(&mut self, id: SyntheticId) {
+        if let Some(row) = self.rows.get_mut(usize::from(id.0)) {
+            row.schema = None;
+        }
+        self.beliefs
+            .retain(|belief| belief.trace != id && belief.item != id);
+    }
+
+    pub(super) fn row(&self, id: SyntheticId) -> Option<&Row<ACTIONS>> {
+        self.rows.get(usize::from(id.0))
+    }
+
+    /// All beliefs, in ascending order of (trace, item).
+    pub(super) fn all(&self) -> &[Belief] {
+        &self.beliefs
+    }
+
+    /// The beliefs that follow from a trace.
+    pub(super) fn after(&self, trace: SyntheticId) -> &[Belief] {
+        let from = self.beliefs.partition_point(|belief| belief.trace < trace);
+        let to = self.beliefs.partition_point(|belief| belief.trace <= trace);
+        self.beliefs.get(from..to).unwrap_or(&[])
+    }
+
+    /// Labels the items of an action done after `trace`: `item`, if any, was on, the others off.
+    ///
+    /// With `forgetting` above 0 the oldest labels weigh less, so that at most 1 / `forgetting` of
+    /// them count.
+    pub(super) fn record(
+        &mut self,
+        trace: SyntheticId,
+        action: ActionId,
+        item: Option<SyntheticId>,
+        forgetting: f32,
+    ) {
+        let row = self.rows.get_mut(usize::from(trace.0));
+        let Some(tried) = row.and_then(|row| row.tried.get_mut(usize::from(action.0))) else {
+            return;
+        };
+        let full = *tried * forgetting >= 1.0;
+        if full {
+            *tried *= 1.0 - forgetting;
+        }
+        *tried += 1.0;
+        if full {
+            self.weaken(trace, action, 1.0 - forgetting);
+        }
+        if let Some(item) = item {
+            self.count(trace, item);
+        }
+    }
+
+    /// Lets the beliefs about one action after a trace count for less: `share` in `[0, 1]`.
+    fn weaken(&mut self, trace: SyntheticId, action: ActionId, share: f32) {
+        let Self { rows, beliefs, .. } = self;
+        for belief in beliefs.iter_mut().filter(|belief| belief.trace == trace) {
+            let row = rows.get(usize::from(belief.item.0));
+            if row.is_some_and(|row| row.action == action) {
+                belief.on *= share;
+            }
+        }
+    }
+
+    /// Lets all that is believed about an action after a trace count for `share` of what it did.
+    pub(super) fn forget(&mut self, trace: SyntheticId, action: ActionId, share: f32) {
+        let row = self.rows.get_mut(usize::from(trace.0));
+        if let Some(tried) = row.and_then(|row| row.tried.get_mut(usize::from(action.0))) {
+            *tried *= share;
+        }
+        self.weaken(trace, action, share);
+    }
+
+    fn count(&mut self, trace: SyntheticId, item: SyntheticId) {
+        let key = |belief: &Belief| (belief.trace, belief.item);
+        match self.beliefs.binary_search_by_key(&(trace, item), key) {
+            Ok(index) => {
+                if let Some(belief) = self.beliefs.get_mut(index) {
+                    belief.on += 1.0;
+                }
+            }
+            Err(index) => {
+                let new = Belief {
+                    trace,
+                    item,
+                    on: 1.0,
+                };
+                if self.beliefs.insert(index, new).is_ok() {
+                    return;
+                }
+                self.drop_weakest();
+                let index = self.beliefs.partition_point(|it| key(it) < (trace, item));
+                // There is room now, unless the capacity is 0.
+                let _ = self.beliefs.insert(index, new);
+            }
+        }
+    }
+
+    fn drop_weakest(&mut self) {
+        let mut least: Option<(f32, usize)> = None;
+        for (index, belief) in self.beliefs.iter().enumerate() {
+            if least.is_none_or(|(other, _)| belief.on < other) {
+                least = Some((belief.on, index));
+            }
+        }
+        if let Some((_, index)) = least {
+            self.beliefs.remove(index);
+        }
+        self.losses.evicted_beliefs = self.losses.evicted_beliefs.saturating_add(1);
+    }
+}
+
+/// How often anything was done right after the item's schema had succeeded.
+pub(super) fn uses<const ACTIONS: usize>(row: &Row<ACTIONS>) -> f32 {
+    let mut total = 0.0;
+    for tried in row.tried {
+        total += tried;
+    }
+    total
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ActionId, BeliefTable, SchemaId, SyntheticId, uses};
+
+    const GO: ActionId = ActionId(0);
+    const STAY: ActionId = ActionId(1);
+
+    fn table() -> BeliefTable<2, 3, 4> {
+        let mut table = BeliefTable::new();
+        for (schema, action) in [(0, GO), (1, GO), (2, STAY)] {
+            table.add(SchemaId(schema), action, 0.0).unwrap();
+        }
+        table
+    }
+
+    #[test]
+    fn labels_are_kept_per_trace_and_only_for_the_action_that_was_done() {
+        let mut it = table();
+        it.record(SyntheticId(0), GO, Some(SyntheticId(1)), 0.0);
+        it.record(SyntheticId(0), GO, Some(SyntheticId(0)), 0.0);
+        it.record(SyntheticId(0), GO, Some(SyntheticId(1)), 0.0);
+        it.record(SyntheticId(1), STAY, None, 0.0);
+        let after: std::vec::Vec<_> = it
+            .after(SyntheticId(0))
+            .iter()
+            .map(|belief| (belief.item.0, belief.on))
+            .collect();
+        assert_eq!(after, [(0, 1.0), (1, 2.0)]);
+        assert_eq!(it.row(SyntheticId(0)).unwrap().tried, [3.0, 0.0]);
+        assert_eq!(it.row(SyntheticId(1)).unwrap().tried, [0.0, 1.0]);
+        assert!(it.after(SyntheticId(1)).is_empty());
+    }
+
+    #[test]
+    fn at_most_one_over_forgetting_labels_count() {
+        let mut it = table();
+        for _ in 0..100 {
+            it.record(SyntheticId(0), GO, Some(SyntheticId(0)), 0.1);
+        }
+        for _ in 0..30 {
+            it.record(SyntheticId(0), GO, Some(SyntheticId(1)), 0.1);
+        }
+        let tried = it.row(SyntheticId(0)).unwrap().tried[0];
+        assert!((tried - 10.0).abs() < 0.01, "{tried}");
+        let [old, new] = it.after(SyntheticId(0)) else {
+            panic!("two beliefs")
+        };
+        assert!((old.on + new.on - tried).abs() < 1e-3);
+        assert!(old.on < 0.05 * tried && new.on > 0.9 * tried);
+    }
+
+    #[test]
+    fn full_tables_evict_what_is_hardly_used_and_count_it() {
+        let mut it = table();
+        for item in [0, 1, 2, 0] {
+            it.record(SyntheticId(0), GO, Some(SyntheticId(item)), 0.0);
+            it.record(SyntheticId(1), GO, Some(SyntheticId(item)), 0.0);
+        }
+        // Seven times a belief that had no counter, four places.
+        assert_eq!(it.all().len(), 4);
+        assert_eq!(it.losses.evicted_beliefs, 3);
+        // The third item was never a trace: it makes room, and every belief about it goes.
+        assert_eq!(it.add(SchemaId(9), STAY, 0.0), Some(SyntheticId(2)));
+        assert_eq!(it.losses.evicted_items, 1);
+        assert!(it.all().iter().all(|belief| belief.item != SyntheticId(2)));
+        for _ in 0..3 {
+            it.record(SyntheticId(2), GO, None, 0.0);
+        }
+        assert_eq!(it.add(SchemaId(10), STAY, 0.0), None);
+        assert_eq!(it.losses.refused_items, 1);
+    }
+
+    #[test]
+    fn forgetting_a_part_touches_no_other_action() {
+        let mut it = table();
+        it.record(SyntheticId(0), GO, Some(SyntheticId(1)), 0.0);
+        it.record(SyntheticId(0), STAY, Some(SyntheticId(2)), 0.0);
+        it.forget(SyntheticId(0), GO, 0.5);
+        assert_eq!(it.row(SyntheticId(0)).unwrap().tried, [0.5, 1.0]);
+        assert_eq!(uses(it.row(SyntheticId(0)).unwrap()), 1.5);
+        assert_eq!(it.after(SyntheticId(0))[0].on, 0.5);
+        assert_eq!(it.after(SyntheticId(0))[1].on, 1.0);
+    }
+
+    #[test]
+    fn a_brain_without_a_second_level_has_empty_tables() {
+        let mut it = BeliefTable::<2, 0, 0>::new();
+        assert_eq!(it.add(SchemaId(0), GO, 0.0), None);
+        it.record(SyntheticId(0), GO, Some(SyntheticId(0)), 0.1);
+        assert!(it.all().is_empty());
+    }
+}

@@ -1,0 +1,465 @@
+//! Level 2: synthetic items made from the schemas of level 1, and what believing in them is worth.
+//!
+//! Level 1 asks how often a schema succeeds where its context holds; level 2 asks how often it does
+//! so right after another schema has succeeded (book, 5.1.1 and 6.2.6), and falls back on level 1
+//! as far as experience is missing: p = (on + κ · reliability) / (tried + κ).
+//! The state is then the schema that has succeeded last, and values are those of such states.
+
+use super::action::ActionId;
+use super::belief::{Belief, BeliefLosses, BeliefTable, SyntheticId, uses};
+use super::choice::Preference;
+use super::item::ItemStates;
+use super::knowledge::KnowledgeBase;
+use super::reliability::Reliability;
+use super::schema::{Schema, SchemaId};
+use super::value::{Appraisal, ValueConfig, state_of};
+
+/// How the second level learns.
+///
+/// ```
+/// use cla_core::clasm::Level2Config;
+/// assert_eq!(Level2Config::FORAGER.prior, 2.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level2Config {
+    /// κ: how many verified occasions the reliability of level 1 counts for; above 0.
+    pub prior: f32,
+    /// The least weight of a new occasion, in `[0, 1)`: about 1 / `forgetting` of them count;
+    /// 0 never forgets.
+    pub forgetting: f32,
+    /// Synthetic items whose value is brought up to date at every step.
+    pub values_per_step: u16,
+    /// When level 1 decides although level 2 has something to say.
+    pub fallback: Fallback,
+}
+
+/// When a level that has something to say leaves the decision to the level below.
+///
+/// ```
+/// use cla_core::clasm::{Fallback, Level2Config};
+/// assert_eq!(Level2Config::FORAGER.fallback, Fallback::Never);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fallback {
+    /// Level 2 decides wherever it knows what happened last; its beliefs fall back one by one.
+    Never,
+    /// Level 2 is overloaded while its recent share of right predictions is below this share of
+    /// what it was (book, 3.4 and 6.3).
+    MeanReliability(f32),
+    /// The level whose best action has the larger value decides; of equals level 2 (6.2.3).
+    ValueThenReliability,
+}
+
+impl Level2Config {
+    /// What works best on the simulated Pioneer.
+    pub const FORAGER: Self = Self {
+        prior: 2.0,
+        forgetting: 0.01,
+        values_per_step: 4,
+        fallback: Fallback::Never,
+    };
+
+    /// Whether the values make sense together.
+    pub(super) fn is_sound(&self) -> bool {
+        let share = match self.fallback {
+            Fallback::MeanReliability(share) => share,
+            Fallback::Never | Fallback::ValueThenReliability => 0.0,
+        };
+        self.prior.is_finite()
+            && self.prior > 0.0
+            && (0.0..1.0).contains(&self.forgetting)
+            && (0.0..=1.0).contains(&share)
+    }
+}
+
+/// Weights of a new prediction in the slow and the fast share of right ones.
+const SLOW: f32 = 0.000_5;
+const FAST: f32 = 0.02;
+
+/// The second level of a brain: `SYNTHETIC` items and `BELIEFS` counters.
+///
+/// It reads the knowledge base of the first level and changes nothing there but the mark which
+/// schema has an item.
+///
+/// ```
+/// use cla_core::clasm::SecondLevel;
+/// let level = SecondLevel::<6, 64, 512>::new();
+/// assert_eq!(level.items(), 0);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SecondLevel<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize> {
+    pub(super) table: BeliefTable<ACTIONS, SYNTHETIC, BELIEFS>,
+    /// The item whose value is computed next.
+    next_value: u16,
+    /// Shares of right predictions: since the beginning, slowly and quickly forgetting.
+    predictions: Reliability,
+    slow: f32,
+    fast: f32,
+}
+
+impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
+    SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>
+{
+    /// A level without items, of all-zero memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            table: BeliefTable::new(),
+            next_value: 0,
+            predictions: Reliability::ZERO,
+            slow: 0.0,
+            fast: 0.0,
+        }
+    }
+
+    /// The number of synthetic items.
+    #[must_use]
+    pub fn items(&self) -> u16 {
+        let rows = self.table.rows.iter();
+        rows.filter(|row| row.schema.is_some()).count() as u16
+    }
+
+    /// What did not fit so far.
+    #[must_use]
+    pub const fn losses(&self) -> BeliefLosses {
+        self.table.losses
+    }
+
+    /// All counters, in ascending order of (trace, item).
+    #[must_use]
+    pub fn beliefs(&self) -> &[Belief] {
+        self.table.all()
+    }
+
+    /// The schema that an item stands for.
+    #[must_use]
+    pub fn schema(&self, item: SyntheticId) -> Option<SchemaId> {
+        self.table.row(item)?.schema
+    }
+
+    /// How often an action was done right after the item's schema had succeeded, newer times
+    /// weighing more.
+    #[must_use]
+    pub fn tried(&self, trace: SyntheticId, action: ActionId) -> f32 {
+        let row = self.table.row(trace);
+        let tried = row.and_then(|row| row.tried.get(usize::from(action.0)));
+        tried.copied().unwrap_or(0.0)
+    }
+
+    /// What being in the state after the item's schema has succeeded is worth.
+    #[must_use]
+    pub fn value(&self, item: SyntheticId) -> f32 {
+        self.table.row(item).map_or(0.0, |row| row.value)
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.table.clear();
+        self.next_value = 0;
+        self.predictions = Reliability::ZERO;
+        self.slow = 0.0;
+        self.fast = 0.0;
+    }
+
+    /// How often what was believed most before an action came true: predicted first, then done,
+    /// then compared.
+    #[must_use]
+    pub const fn predictions(&self) -> Reliability {
+        self.predictions
+    }
+
+    /// Whether the predictions have lately been right less often than `share` of what they were.
+    #[must_use]
+    pub fn is_overloaded(&self, share: f32) -> bool {
+        self.fast < share * self.slow
+    }
+
+    /// Counts a prediction that was right or wrong.
+    fn count_prediction(&mut self, right: bool) {
+        self.predictions.record(right, 0.0);
+        let outcome = if right { 1.0 } else { 0.0 };
+        self.slow += SLOW * (outcome - self.slow);
+        self.fast += FAST * (outcome - self.fast);
+    }
+
+    /// The item of a schema; a schema that succeeds for the first time gets one if there is room.
+    pub(super) fn reify<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
+        &mut self,
+        knowledge: &mut KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+        id: SchemaId,
+    ) -> Option<SyntheticId> {
+        let schema = *knowledge.schemas.get(usize::from(id.0))?;
+        if let Some(item) = schema.synthetic
+            && self
+                .table
+                .row(item)
+                .is_some_and(|row| row.schema == Some(id))
+        {
+            return Some(item);
+        }
+        let result = knowledge.patterns.get(usize::from(schema.result.0));
+        let value = result.map_or(0.0, |pattern| pattern.value);
+        let item = self.table.add(id, schema.action, value)?;
+        for (index, schema) in knowledge.schemas.iter_mut().enumerate() {
+            if index == usize::from(id.0) {
+                schema.synthetic = Some(item);
+            } else if schema.synthetic == Some(item) {
+                // The item was evicted for this one.
+                schema.synthetic = None;
+            }
+        }
+        Some(item)
+    }
+
+    /// Labels in hindsight what was on before an action that followed `trace`.
+    pub(super) fn record(
+        &mut self,
+        trace: SyntheticId,
+        action: ActionId,
+        item: Option<SyntheticId>,
+        config: &Level2Config,
+    ) {
+        if let Some(believed) = self.most_believed(trace, action) {
+            self.count_prediction(Some(believed) == item);
+        }
+        self.table.record(trace, action, item, config.forgetting);
+    }
+
+    /// After a harvest: follows schemas that moved and drops the items of those that left.
+    pub(super) fn follow<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
+        &mut self,
+        knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+    ) {
+        for index in 0..self.table.rows.len() {
+            let id = SyntheticId(index as u16);
+            let place = knowledge
+                .schemas
+                .iter()
+                .position(|schema| schema.synthetic == Some(id));
+            match (place, self.table.rows.get_mut(index)) {
+                (Some(place), Some(row)) => row.schema = Some(SchemaId(place as u16)),
+                (None, Some(row)) if row.schema.is_some() => self.table.free(id),
+                _ => {}
+            }
+        }
+    }
+
+    /// What each action can be expected to bring in `state`, where `trace` has just succeeded.
+    pub(super) fn expected_values<
+        const WORDS: usize,
+        const PATTERNS: usize,
+        const SCHEMAS: usize,
+    >(
+        &self,
+        knowledge: &mut KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+        state: &ItemStates<WORDS>,
+        trace: SyntheticId,
+        values: &ValueConfig,
+        config: &Level2Config,
+    ) -> [Appraisal; ACTIONS] {
+        knowledge.look_at(state);
+        let mut appraisals = [Appraisal::default(); ACTIONS];
+        for schema in &knowledge.schemas {
+            let context = knowledge.patterns.get(usize::from(schema.context.0));
+            if let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0))
+                && context.is_some_and(|context| context.holds)
+            {
+                let p = schema.reliability.value(values.estimate);
+                appraisal.value += p * self.worth(knowledge, schema, values);
+                appraisal.reliability += p;
+                appraisal.applicable = true;
+            }
+        }
+        let tried = self
+            .table
+            .row(trace)
+            .map_or([0.0; ACTIONS], |row| row.tried);
+        for (appraisal, tried) in appraisals.iter_mut().zip(tried) {
+            // What level 1 leaves open it says in the proportions of what it does not.
+            let total = if appraisal.reliability > 0.0 {
+                appraisal.reliability
+            } else {
+                1.0
+            };
+            let share = config.prior / (tried + config.prior) / total;
+            appraisal.value *= share;
+            appraisal.reliability *= share;
+        }
+        for belief in self.table.after(trace) {
+            let Some(row) = self.table.row(belief.item) else {
+                continue;
+            };
+            let schema = row
+                .schema
+                .and_then(|id| knowledge.schemas.get(usize::from(id.0)));
+            let action = usize::from(row.action.0);
+            let (Some(schema), Some(appraisal), Some(tried)) =
+                (schema, appraisals.get_mut(action), tried.get(action))
+            else {
+                continue;
+            };
+            if schema.synthetic != Some(belief.item) {
+                continue;
+            }
+            let p = belief.on / (tried + config.prior);
+            appraisal.value += p * self.worth(knowledge, schema, values);
+            appraisal.reliability += p;
+            appraisal.applicable = true;
+        }
+        appraisals
+    }
+
+    /// What it is worth that a schema succeeds: its result's own value, and what follows.
+    fn worth<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
+        &self,
+        knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+        schema: &Schema,
+        values: &ValueConfig,
+    ) -> f32 {
+        let Some(result) = knowledge.patterns.get(usize::from(schema.result.0)) else {
+            return 0.0;
+        };
+        let row = schema.synthetic.and_then(|item| self.table.row(item));
+        let then = row.map_or(result.value, |row| row.value);
+        let mut value = values.discount * then;
+        for item in result.items.positive().iter() {
+            value += knowledge.inherent_value(item);
+        }
+        value
+    }
+
+    /// The best action in `state` after `trace`, or `None` when none promises anything.
+    pub(super) fn prefer<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
+        &self,
+        knowledge: &mut KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+        state: &ItemStates<WORDS>,
+        trace: SyntheticId,
+        values: &ValueConfig,
+        config: &Level2Config,
+    ) -> Option<Preference> {
+        let appraisals = self.expected_values(knowledge, state, trace, values, config);
+        let mut best: Option<Preference> = None;
+        for (action, appraisal) in appraisals.iter().enumerate() {
+            if appraisal.value > best.map_or(0.0, |other| other.value) {
+                best = Some(Preference {
+                    action: ActionId(action as u16),
+                    schema: None,
+                    value: appraisal.value,
+                });
+            }
+        }
+        let mut best = best?;
+        let believed = self.most_believed(trace, best.action);
+        best.schema = believed
+            .and_then(|item| self.schema(item))
+            .or_else(|| knowledge.most_reliable_applicable(best.action, values));
+        Some(best)
+    }
+
+    /// Of the items of an action, the one that was most often on after `trace`; of equals the
+    /// first.
+    #[must_use]
+    pub fn most_believed(&self, trace: SyntheticId, action: ActionId) -> Option<SyntheticId> {
+        let mut best: Option<(f32, SyntheticId)> = None;
+        for belief in self.table.after(trace) {
+            let row = self.table.row(belief.item);
+            if row.is_some_and(|row| row.action == action)
+                && best.is_none_or(|(on, _)| belief.on > on)
+            {
+                best = Some((belief.on, belief.item));
+            }
+        }
+        best.map(|(_, item)| item)
+    }
+
+    /// Brings the value of the next `count` items up to date, in turn.
+    pub(super) fn improve_values<
+        const WORDS: usize,
+        const PATTERNS: usize,
+        const SCHEMAS: usize,
+    >(
+        &mut self,
+        knowledge: &mut KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+        count: u16,
+        values: &ValueConfig,
+        config: &Level2Config,
+    ) {
+        for _ in 0..count {
+            if usize::from(self.next_value) >= self.table.rows.len() {
+                self.next_value = 0;
+            }
+            self.improve(knowledge, SyntheticId(self.next_value), values, config);
+            self.next_value = self.next_value.saturating_add(1);
+        }
+    }
+
+    /// Brings one item's value up to date.
+    pub(super) fn improve<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
+        &mut self,
+        knowledge: &mut KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+        item: SyntheticId,
+        values: &ValueConfig,
+        config: &Level2Config,
+    ) {
+        let Some(row) = self.table.row(item) else {
+            return;
+        };
+        let Some(schema) = row
+            .schema
+            .and_then(|id| knowledge.schemas.get(usize::from(id.0)))
+        else {
+            return;
+        };
+        let Some(result) = knowledge.pattern(schema.result) else {
+            return;
+        };
+        let state = state_of(&result);
+        let mut best = 0.0;
+        for appraisal in self.expected_values(knowledge, &state, item, values, config) {
+            if appraisal.value > best {
+                best = appraisal.value;
+            }
+        }
+        if let Some(row) = self.table.rows.get_mut(usize::from(item.0)) {
+            row.value = best;
+        }
+    }
+
+    /// How probable the success of `schema` is where `trace` has just succeeded and its context
+    /// holds, in `[0, 1]`: the belief in its synthetic item.
+    #[must_use]
+    pub fn belief<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
+        &self,
+        knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+        trace: SyntheticId,
+        schema: SchemaId,
+        values: &ValueConfig,
+        config: &Level2Config,
+    ) -> f32 {
+        let Some(schema) = knowledge.schemas.get(usize::from(schema.0)) else {
+            return 0.0;
+        };
+        let reliability = schema.reliability.value(values.estimate);
+        let on = self
+            .table
+            .after(trace)
+            .iter()
+            .find(|belief| Some(belief.item) == schema.synthetic);
+        let tried = self.tried(trace, schema.action);
+        let on = on.map_or(0.0, |belief| belief.on);
+        (on + config.prior * reliability) / (tried + config.prior)
+    }
+
+    /// How often the second level has seen anything follow the item's schema.
+    #[must_use]
+    pub fn uses(&self, item: SyntheticId) -> f32 {
+        self.table.row(item).map_or(0.0, uses)
+    }
+}
+
+impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize> Default
+    for SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
