@@ -4,6 +4,8 @@
 //! The host runs the same [`relive`](replay::relive) on the same recorded [`trace`], and a test
 //! compares the two to the bit.
 
+#[cfg(target_os = "none")]
+pub mod board;
 pub mod fingerprint;
 pub mod replay;
 pub mod trace;

@@ -5,12 +5,10 @@
 //! `cargo run --release` in this folder starts it in QEMU.
 //! Exit code 0 when the life was lived to its end.
 
-mod board;
-
 use cla_core::forager::pioneer::{self, Brain};
-use cortex_m_rt::entry;
+
 use firmware_example::replay::{Moment, relive};
-use firmware_example::trace;
+use firmware_example::{board, trace};
 use semihosting::{println, process};
 
 /// Instructions of one part of a step.
@@ -34,7 +32,8 @@ impl Cost {
 /// The brain lies in `.bss`: all its memory is zero before its birth.
 static mut BRAIN: Brain = pioneer::brain();
 
-#[entry]
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
 fn main() -> ! {
     board::paint_stack();
     let brain = &raw mut BRAIN;

@@ -2,8 +2,7 @@
 //!
 //! Needs qemu-system-arm and the target thumbv7em-none-eabihf; `tests/run` gets both.
 
-use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use cla_core::forager::pioneer;
 use firmware_example::replay::{Echo, relive};
@@ -16,19 +15,8 @@ fn on_host() -> Echo {
 
 /// Builds the firmware and runs it, as its user does.
 fn in_qemu() -> Output {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-example");
-    // The settings of this build are not those of the firmware's.
-    let mut cargo = Command::new(env!("CARGO"));
-    for (name, _) in std::env::vars_os() {
-        let ours = name.to_string_lossy();
-        if ours.starts_with("CARGO_BUILD") || ours.contains("RUSTFLAGS") {
-            cargo.env_remove(&name);
-        }
-    }
-    cargo
+    cla_tests::firmware_cargo()
         .args(["run", "--release", "--locked"])
-        .env_remove("CARGO_TARGET_DIR")
-        .current_dir(folder)
         .output()
         .expect("cargo runs")
 }
