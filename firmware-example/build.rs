@@ -15,7 +15,13 @@ fn main() {
         return;
     }
     let riscv = target.starts_with("riscv");
-    let usual = if riscv { "riscv-virt" } else { "nrf52840" };
+    let bench = env::var_os("CARGO_FEATURE_KERNELS").is_some();
+    let usual = match (riscv, bench) {
+        (true, false) => "riscv-virt",
+        (true, true) => "riscv-virt-bench",
+        (false, false) => "nrf52840",
+        (false, true) => "mps2",
+    };
     let part = env::var("PART").unwrap_or_else(|_| usual.to_owned());
     let from = Path::new("memory").join(format!("{part}.x"));
     let memory = fs::read_to_string(&from)

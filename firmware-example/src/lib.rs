@@ -9,3 +9,11 @@ pub mod board;
 pub mod fingerprint;
 pub mod replay;
 pub mod trace;
+
+/// The brain of this build: the forager's, or with the feature `small` the one for small parts.
+pub mod profile {
+    #[cfg(not(feature = "small"))]
+    pub use cla_core::forager::pioneer::*;
+    #[cfg(feature = "small")]
+    pub use cla_core::forager::small::*;
+}

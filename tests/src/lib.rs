@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// The folder that holds the whole project.
 ///
@@ -12,23 +11,6 @@ use std::process::Command;
 #[must_use]
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
-/// A cargo that builds the firmware as its user would: in its folder, with its settings and not
-/// with those of the build that runs the tests.
-#[must_use]
-pub fn firmware_cargo() -> Command {
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    for (name, _) in std::env::vars_os() {
-        let ours = name.to_string_lossy();
-        if ours.starts_with("CARGO_BUILD") || ours.contains("RUSTFLAGS") {
-            cargo.env_remove(&name);
-        }
-    }
-    cargo
-        .env_remove("CARGO_TARGET_DIR")
-        .current_dir(root().join("firmware-example"));
-    cargo
 }
 
 /// A file of Rust source.

@@ -4,22 +4,19 @@
 //! Needs the target thumbv7em-none-eabihf; `tests/run` gets it.
 
 use cla_tests::{root, sources};
+use host_sim::experiment::mcu::board::{Build, Target};
 
 const PROOF: &str = "firmware-example/src/bin/panic_free.rs";
 
 /// Links one entry (or all) at an optimization level; the linker's complaint when it does not.
-fn link(opt_level: &str, entry: &str) -> Result<(), String> {
-    let output = cla_tests::firmware_cargo()
-        .args(["build", "--release", "--locked", "--bin", "panic_free"])
-        .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", opt_level)
-        .env("ENTRY", entry)
-        .output()
-        .expect("cargo runs");
-    if output.status.success() {
-        Ok(())
-    } else {
-        Err(String::from_utf8_lossy(&output.stderr).into_owned())
-    }
+fn link(opt_level: &'static str, entry: &str) -> Result<(), String> {
+    let proof = Build {
+        opt_level,
+        // The few names live as long as the test.
+        entry: entry.to_owned().leak(),
+        ..Build::new(Target::M4f, "panic_free")
+    };
+    proof.build().map(drop).map_err(|error| error.to_string())
 }
 
 fn proof() -> String {
@@ -37,7 +34,7 @@ fn entries() -> Vec<String> {
     all
 }
 
-fn holds_at(opt_level: &str) {
+fn holds_at(opt_level: &'static str) {
     if let Err(complaint) = link(opt_level, "all") {
         let mut guilty = entries();
         guilty.retain(|entry| link(opt_level, entry).is_err());

@@ -22,7 +22,7 @@ const LANES: usize = 16;
 const RUN: usize = 8;
 
 /// Features on up to which a stimulus is searched for in one pass.
-const GATHERED: usize = 32;
+const GATHERED: usize = 16;
 
 /// A self-organizing map of `WIDTH` × `HEIGHT` prototypes over `FEATURES` binary features.
 ///

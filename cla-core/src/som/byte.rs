@@ -17,7 +17,7 @@ const STEP_BITS: u32 = 16;
 /// Nodes whose sums are made together: as many as have room in the registers of the smallest part.
 const LANES: usize = 4;
 /// Features whose columns are added in one pass.
-const GATHERED: usize = 32;
+const GATHERED: usize = 16;
 
 /// A self-organizing map of `WIDTH` × `HEIGHT` prototypes over `FEATURES` binary features, a byte
 /// for each weight.
