@@ -1,7 +1,36 @@
-//! Puts `memory.x` where the linker looks for it.
+//! Gives the linker the memory of one part: `PART` names a file in `memory/`.
+//!
+//! Without `PART` the part is the nRF52840, whose memory lies where that of the emulated Arm boards
+//! does, and on RISC-V the emulated machine.
+//! A brain that does not fit the part does not link.
+
+use std::path::Path;
+use std::{env, fs};
 
 fn main() {
-    let folder = std::env::var("CARGO_MANIFEST_DIR").expect("cargo sets it");
-    println!("cargo::rustc-link-search={folder}");
-    println!("cargo::rerun-if-changed=memory.x");
+    let target = env::var("TARGET").expect("cargo sets it");
+    println!("cargo::rerun-if-env-changed=PART");
+    println!("cargo::rerun-if-changed=memory");
+    if env::var("CARGO_CFG_TARGET_OS").as_deref() != Ok("none") {
+        return;
+    }
+    let riscv = target.starts_with("riscv");
+    let bench = env::var_os("CARGO_FEATURE_KERNELS").is_some();
+    let usual = match (riscv, bench) {
+        (true, false) => "riscv-virt",
+        (true, true) => "riscv-virt-bench",
+        (false, false) => "nrf52840",
+        (false, true) => "mps2",
+    };
+    let part = env::var("PART").unwrap_or_else(|_| usual.to_owned());
+    let from = Path::new("memory").join(format!("{part}.x"));
+    let memory = fs::read_to_string(&from)
+        .unwrap_or_else(|error| panic!("PART={part}: there is no {}: {error}", from.display()));
+    let out = env::var("OUT_DIR").expect("cargo sets it");
+    fs::write(Path::new(&out).join("memory.x"), memory).expect("cargo's folder can be written");
+    println!("cargo::rustc-link-search={out}");
+    // The proof of panic-freedom is not a program: it brings its own entry and has no memory.
+    for program in ["firmware", "kernels"] {
+        println!("cargo::rustc-link-arg-bin={program}=-Tlink.x");
+    }
 }

@@ -16,3 +16,16 @@ crate::brain! {
         ram: 252_000,
     }
 }
+
+crate::brain! {
+    /// The same robot with the brain for small parts: its life fills a quarter of the book's maps.
+    pub mod small {
+        items: [s1, s2, s3, s4, s5, ingrip, bump],
+        actions: [forward, backward, turnl, turnr, turnaround, grip],
+        values: [ingrip = 10.0],
+        maps: 10 x 10,
+        patterns: 64,
+        schemas: 512,
+        ram: 64_000,
+    }
+}

@@ -74,6 +74,9 @@
         clippy::indexing_slicing,
         clippy::unwrap_used,
         clippy::expect_used,
+        clippy::panic,
+        clippy::todo,
+        clippy::unimplemented,
         clippy::unreachable,
         clippy::panic_in_result_fn
     )

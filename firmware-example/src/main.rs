@@ -1,66 +1,82 @@
 #![no_std]
 #![no_main]
-//! The forager's brain relives a recorded life on a Cortex-M4F and prints what came of it.
+//! The forager's brain relives a recorded life on a microcontroller and prints what came of it.
 //!
-//! `cargo run --release` in this folder starts it in QEMU.
+//! `cargo run --release` in this folder starts it in QEMU; with `--features small` it is the brain
+//! for small parts.
 //! Exit code 0 when the life was lived to its end.
 
-mod board;
-
-use cla_core::forager::pioneer::{self, Brain};
-use cortex_m_rt::entry;
+use firmware_example::profile::{self, Brain};
 use firmware_example::replay::{Moment, relive};
-use firmware_example::trace;
+use firmware_example::{board, trace};
 use semihosting::{println, process};
+
+/// Actions that are relived: all where floats are fast, and a tenth where each costs a function.
+const ACTIONS: u32 = if cfg!(target_abi = "eabihf") {
+    trace::ACTIONS
+} else {
+    trace::ACTIONS / 10
+};
 
 /// Instructions of one part of a step.
 #[derive(Default)]
 struct Cost {
     total: u64,
+    times: u32,
     worst: u32,
 }
 
 impl Cost {
     fn add(&mut self, instructions: u32) {
         self.total += u64::from(instructions);
+        self.times += 1;
         self.worst = self.worst.max(instructions);
     }
 
-    fn mean(&self, steps: u32) -> u32 {
-        (self.total / u64::from(steps.max(1))) as u32
+    fn mean(&self) -> u32 {
+        (self.total / u64::from(self.times.max(1))) as u32
     }
 }
 
 /// The brain lies in `.bss`: all its memory is zero before its birth.
-static mut BRAIN: Brain = pioneer::brain();
+static mut BRAIN: Brain = profile::brain();
 
-#[entry]
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
 fn main() -> ! {
     board::paint_stack();
     let brain = &raw mut BRAIN;
     // SAFETY: this runs once, and no interrupt touches the brain.
     #[allow(unsafe_code)]
     let brain = unsafe { &mut *brain };
-    let (mut choose, mut learn) = (Cost::default(), Cost::default());
+    let mut costs: [Cost; 4] = Default::default();
     let mut counter = board::Counter::start();
-    let lived = relive(brain, trace::SEED, trace::steps(), |moment| {
+    let lived = relive(brain, trace::SEED, trace::steps(ACTIONS), |moment| {
         let instructions = counter.lap();
+        let [choose, learn, harvest, settle] = &mut costs;
         match moment {
             Moment::Sensed => {}
             Moment::Chosen => choose.add(instructions),
             Moment::Learned => learn.add(instructions),
+            Moment::Harvested => harvest.add(instructions),
+            Moment::Settled => settle.add(instructions),
         }
     });
+    // Before anything is printed, which takes more stack than a brain does.
+    let stack = board::stack_used();
     match lived {
         Ok(echo) => {
             println!("{echo}");
-            for (part, cost) in [("choose", &choose), ("learn", &learn)] {
-                let (mean, worst) = (cost.mean(echo.steps), cost.worst);
-                println!("{part} instructions mean {mean} worst {worst}");
+            for (part, cost) in ["choose", "learn", "harvest", "settle"].iter().zip(&costs) {
+                println!(
+                    "{part} instructions mean {} worst {}",
+                    cost.mean(),
+                    cost.worst
+                );
             }
-            println!("brain bytes {}", pioneer::RAM);
+            println!("brain bytes {}", profile::RAM);
             println!("static bytes {}", board::static_bytes());
-            println!("stack bytes {}", board::stack_used());
+            println!("stack bytes {stack}");
             process::exit(0);
         }
         Err(error) => {

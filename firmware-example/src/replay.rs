@@ -6,11 +6,15 @@
 
 use core::fmt;
 
-use cla_core::clasm::{AgentConfig, AgentError, ConfigError};
-use cla_core::forager::pioneer::{self, Brain};
+use cla_core::clasm::{Adaptation, Agent, AgentConfig, AgentError, ConfigError};
+use cla_core::forager::pioneer::{ITEMS, Item};
 
 use crate::fingerprint::Fingerprint;
-use crate::trace::Step;
+use crate::trace::{Step, TRAINING};
+
+/// The brain of a forager, whatever its capacities.
+pub type Forager<const W: usize, const H: usize, const PATTERNS: usize, const SCHEMAS: usize> =
+    Agent<1, 7, W, H, 6, PATTERNS, SCHEMAS>;
 
 /// A moment of a step, for whoever measures what lies between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,14 +25,18 @@ pub enum Moment {
     Chosen,
     /// The brain has learned from what came of it.
     Learned,
+    /// The brain has learned and read its maps into schemas.
+    Harvested,
+    /// Training is over: the brain has settled its values.
+    Settled,
 }
 
 /// What a life left behind, as fingerprints.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Echo {
-    /// Steps lived.
-    pub steps: u32,
-    /// Steps in which the brain chose the recorded action.
+    /// Actions done.
+    pub actions: u32,
+    /// Actions of them for which the brain chose what is recorded.
     pub agreed: u32,
     /// Schemas at the end.
     pub schemas: u32,
@@ -42,38 +50,70 @@ pub struct Echo {
     pub choices: Fingerprint,
 }
 
+/// Begins the life of a forager: what is in the gripper is worth having.
+///
+/// # Errors
+/// [`ConfigError`] for a configuration that cannot work.
+pub fn be_born<const W: usize, const H: usize, const P: usize, const S: usize>(
+    brain: &mut Forager<W, H, P, S>,
+    config: AgentConfig,
+    seed: u64,
+) -> Result<(), ConfigError> {
+    brain.begin(config, seed)?;
+    // The item is one of the robot's and the value a number.
+    let _ = brain
+        .knowledge_mut()
+        .set_inherent_value(Item::ingrip.id(), 10.0);
+    Ok(())
+}
+
 /// Lives the recorded steps with a brain that is born for it.
 ///
 /// Where the brain would choose otherwise than recorded it is shown the recorded action instead, so
-/// that an old recording stays usable.
+/// that an old recording stays usable, and other brains can live it too.
 ///
 /// # Errors
 /// [`ReplayError`] when the brain refuses.
-pub fn relive(
-    brain: &mut Brain,
+pub fn relive<const W: usize, const H: usize, const P: usize, const S: usize>(
+    brain: &mut Forager<W, H, P, S>,
     seed: u64,
     steps: impl Iterator<Item = Step>,
     mut at: impl FnMut(Moment),
 ) -> Result<Echo, ReplayError> {
-    pioneer::be_born(brain, AgentConfig::FORAGER, seed).map_err(ReplayError::Config)?;
+    be_born(brain, AgentConfig::FORAGER, seed).map_err(ReplayError::Config)?;
     let mut echo = Echo::default();
     for step in steps {
+        if echo.actions == TRAINING && !step.reflex {
+            at(Moment::Sensed);
+            brain
+                .act(Adaptation::Relearning)
+                .map_err(ReplayError::Agent)?;
+            at(Moment::Settled);
+        }
         at(Moment::Sensed);
-        let choice = brain.choose(&step.before).map_err(ReplayError::Agent)?;
-        at(Moment::Chosen);
-        let agreed = choice.action == step.action;
+        let mut agreed = false;
+        if !step.reflex {
+            let choice = brain.choose(&step.before).map_err(ReplayError::Agent)?;
+            at(Moment::Chosen);
+            agreed = choice.action == step.action;
+            echo.actions += 1;
+            echo.agreed += u32::from(agreed);
+            echo.choices.number(choice.action.0.into());
+            echo.choices.number(choice.reason as u32);
+            echo.choices.float(choice.value);
+            at(Moment::Sensed);
+        }
         let learned = if agreed {
             brain.learn(&step.after)
         } else {
             brain.observe(&step.before, step.action, &step.after)
         };
-        at(Moment::Learned);
         let lesson = learned.map_err(ReplayError::Agent)?;
-        echo.steps += 1;
-        echo.agreed += u32::from(agreed);
-        echo.choices.number(choice.action.0.into());
-        echo.choices.number(choice.reason as u32);
-        echo.choices.float(choice.value);
+        at(if lesson.harvested {
+            Moment::Harvested
+        } else {
+            Moment::Learned
+        });
         if lesson.trained.is_some() {
             for &distance in brain.bank().last_distances().as_slice() {
                 echo.distances.float(distance);
@@ -85,10 +125,13 @@ pub fn relive(
     Ok(echo)
 }
 
-fn add_weights(print: &mut Fingerprint, brain: &Brain) {
+fn add_weights<const W: usize, const H: usize, const P: usize, const S: usize>(
+    print: &mut Fingerprint,
+    brain: &Forager<W, H, P, S>,
+) {
     for map in brain.bank().maps() {
         for node in map.nodes() {
-            for item in 0..pioneer::ITEMS.len() as u16 {
+            for item in 0..ITEMS.len() as u16 {
                 print.float(map.context_weight(node, item));
                 print.float(map.result_weight(node, item));
             }
@@ -96,7 +139,10 @@ fn add_weights(print: &mut Fingerprint, brain: &Brain) {
     }
 }
 
-fn add_schemas(echo: &mut Echo, brain: &Brain) {
+fn add_schemas<const W: usize, const H: usize, const P: usize, const S: usize>(
+    echo: &mut Echo,
+    brain: &Forager<W, H, P, S>,
+) {
     let knowledge = brain.knowledge();
     for schema in knowledge.schemas() {
         let print = &mut echo.table;
@@ -117,7 +163,7 @@ fn add_schemas(echo: &mut Echo, brain: &Brain) {
 
 impl fmt::Display for Echo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "steps {}, as recorded {}", self.steps, self.agreed)?;
+        writeln!(f, "actions {}, as recorded {}", self.actions, self.agreed)?;
         writeln!(f, "weights {}", self.weights)?;
         writeln!(f, "distances {}", self.distances)?;
         writeln!(f, "schemas {} ({})", self.table, self.schemas)?;

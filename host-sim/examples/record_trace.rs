@@ -6,36 +6,74 @@
 use std::error::Error;
 use std::path::Path;
 
-use cla_core::clasm::AgentConfig;
-use cla_core::forager::pioneer;
-use firmware_example::trace::{ACTIONS, SEED, Step};
-use host_sim::experiment::forage::life::percept;
+use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
+use cla_core::forager::pioneer::{self, Brain, Percept};
+use firmware_example::trace::{ACTIONS, SEED, Step, TRAINING};
+use host_sim::experiment::forage::life::{Mind, live};
+use host_sim::options::Failure;
 use host_sim::report::Output;
 use host_sim::world::World;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::pioneer::Pioneer;
 
+/// A brain, and what it was shown.
+struct Recorder {
+    brain: Box<Brain>,
+    chosen: Option<(Percept, ActionId)>,
+    trace: Vec<u8>,
+}
+
+impl Recorder {
+    fn note(&mut self, before: &Percept, action: ActionId, after: &Percept, reflex: bool) {
+        let step = Step {
+            before: *before,
+            action,
+            after: *after,
+            reflex,
+        };
+        self.trace.extend(step.to_bytes());
+    }
+}
+
+impl Mind for Recorder {
+    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
+        let action = Mind::choose(&mut *self.brain, now)?;
+        self.chosen = Some((*now, action));
+        Ok(action)
+    }
+
+    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
+        if let Some((before, action)) = self.chosen.take() {
+            self.note(&before, action, now, false);
+        }
+        Mind::learn(&mut *self.brain, now)
+    }
+
+    fn observe(
+        &mut self,
+        before: &Percept,
+        action: ActionId,
+        after: &Percept,
+    ) -> Result<(), Failure> {
+        self.note(before, action, after, true);
+        Mind::observe(&mut *self.brain, before, action, after)
+    }
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let mut world = Pioneer::new(PioneerConfig::NOISY, SEED)?;
-    let mut brain = Box::new(pioneer::brain());
+    let mut brain: Box<Brain> = Box::new(Agent::new());
     pioneer::be_born(&mut brain, AgentConfig::FORAGER, SEED)?;
-    let mut trace = Vec::with_capacity(3 * ACTIONS);
-    for _ in 0..ACTIONS {
-        let before = percept(&world.sense());
-        let choice = brain.choose(&before)?;
-        world.act(choice.action.0.into());
-        let after = percept(&world.sense());
-        brain.learn(&after)?;
-        while world.reflex() {}
-        let step = Step {
-            before,
-            action: choice.action,
-            after,
-        };
-        trace.extend(step.to_bytes());
-    }
+    let mut recorder = Recorder {
+        brain,
+        chosen: None,
+        trace: Vec::new(),
+    };
+    live(&mut recorder, &mut world, TRAINING).map_err(|error| error.to_string())?;
+    recorder.brain.act(Adaptation::Relearning)?;
+    live(&mut recorder, &mut world, ACTIONS - TRAINING).map_err(|error| error.to_string())?;
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-example");
-    let path = Output::prepare(folder)?.write("trace.bin", &trace)?;
+    let path = Output::prepare(folder)?.write("trace.bin", &recorder.trace)?;
     println!("{} captures, wrote {}", world.captures(), path.display());
     Ok(())
 }

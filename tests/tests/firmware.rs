@@ -1,78 +1,194 @@
-//! The firmware in QEMU against the host: the same life, the same bits.
+//! The firmware in QEMU against the host: the same life, the same bits, on three processors.
 //!
-//! Needs qemu-system-arm and the target thumbv7em-none-eabihf; `tests/run` gets both.
+//! Needs qemu-system-arm, qemu-system-riscv32 and the targets; `tests/run` gets them.
 
-use std::path::Path;
-use std::process::{Command, Output};
+use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
+use cla_core::forager::{pioneer, small};
+use firmware_example::replay::{Echo, Forager, relive};
+use firmware_example::trace::{self, ACTIONS, SEED, Step, TRAINING};
+use host_sim::experiment::forage::life::{Mind, live};
+use host_sim::experiment::mcu::board::{Build, Target};
+use host_sim::options::Failure;
+use host_sim::world::config::PioneerConfig;
+use host_sim::world::pioneer::Pioneer;
 
-use cla_core::forager::pioneer;
-use firmware_example::replay::{Echo, relive};
-use firmware_example::trace;
-
-fn on_host() -> Echo {
-    let mut brain = Box::new(pioneer::brain());
-    relive(&mut brain, trace::SEED, trace::steps(), |_| {}).expect("the recording is whole")
+/// The life on this machine.
+fn on_host<const W: usize, const H: usize, const P: usize, const S: usize>(
+    brain: Forager<W, H, P, S>,
+    actions: u32,
+) -> Echo {
+    let mut brain = Box::new(brain);
+    relive(&mut brain, SEED, trace::steps(actions), |_| {}).expect("the recording is whole")
 }
 
-/// Builds the firmware and runs it, as its user does.
-fn in_qemu() -> Output {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-example");
-    // The settings of this build are not those of the firmware's.
-    let mut cargo = Command::new(env!("CARGO"));
-    for (name, _) in std::env::vars_os() {
-        let ours = name.to_string_lossy();
-        if ours.starts_with("CARGO_BUILD") || ours.contains("RUSTFLAGS") {
-            cargo.env_remove(&name);
-        }
-    }
-    cargo
-        .args(["run", "--release", "--locked"])
-        .env_remove("CARGO_TARGET_DIR")
-        .current_dir(folder)
-        .output()
-        .expect("cargo runs")
+/// The life on a board.
+fn in_qemu(target: Target, features: &'static str) -> String {
+    let build = Build {
+        features,
+        ..Build::new(target, "firmware")
+    };
+    let printed = build.run().unwrap_or_else(|error| panic!("{error}"));
+    printed.text().to_owned()
+}
+
+fn same(host: &Echo, board: &str) {
+    let host = host.to_string();
+    assert!(
+        board.starts_with(&host),
+        "the host says\n{host}the firmware says\n{board}"
+    );
 }
 
 #[test]
-fn the_recorded_life_has_the_same_bits_on_the_cortex_m4f() {
-    let output = in_qemu();
-    let printed = String::from_utf8_lossy(&output.stdout);
-    let complaints = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        output.status.success(),
-        "the firmware failed (is qemu-system-arm there? tests/run gets it):\n{printed}{complaints}"
+fn twenty_thousand_actions_have_the_same_bits_on_the_cortex_m4f() {
+    same(
+        &on_host(pioneer::brain(), ACTIONS),
+        &in_qemu(Target::M4f, ""),
     );
-    let expected = on_host().to_string();
-    assert!(
-        printed.starts_with(&expected),
-        "the host says\n{expected}the firmware says\n{printed}"
+}
+
+#[test]
+fn two_thousand_actions_have_the_same_bits_where_floats_are_functions() {
+    let host = on_host(pioneer::brain(), ACTIONS / 10);
+    same(&host, &in_qemu(Target::M0, ""));
+    same(&host, &in_qemu(Target::Riscv, ""));
+}
+
+#[test]
+fn the_brain_for_small_parts_has_the_same_bits_too() {
+    same(
+        &on_host(small::brain(), ACTIONS),
+        &in_qemu(Target::M4f, "small"),
+    );
+    same(
+        &on_host(small::brain(), ACTIONS / 10),
+        &in_qemu(Target::M0, "small"),
     );
 }
 
 #[test]
 fn the_recorded_life_is_worth_reliving() {
-    let echo = on_host();
-    assert_eq!(echo.steps as usize, trace::ACTIONS);
+    let echo = on_host(pioneer::brain(), ACTIONS);
+    assert_eq!((echo.actions, echo.agreed), (ACTIONS, ACTIONS));
     assert!(echo.schemas > 50, "{echo}");
-    let gripped = trace::steps()
-        .filter(|step| step.after.get(pioneer::Item::ingrip.id()) == Some(true))
-        .count();
-    assert!(gripped > 0, "no specimen was ever in the gripper");
+    let all = || trace::steps(ACTIONS);
+    let gripped = all().filter(|step| step.reflex && step.action == pioneer::Action::grip.id());
+    let bumped =
+        all().filter(|step| step.reflex && step.action == pioneer::Action::turnaround.id());
+    let (gripped, bumped) = (gripped.count(), bumped.count());
+    assert!(
+        gripped > 500 && bumped > 100,
+        "{gripped} captures, {bumped} bumps"
+    );
 }
 
-#[test]
-fn another_seed_leaves_another_fingerprint() {
-    let mut brain = Box::new(pioneer::brain());
-    let other = relive(&mut brain, trace::SEED + 1, trace::steps(), |_| {}).expect("it lives");
-    let one = on_host();
-    assert_ne!(one.weights, other.weights);
-    assert_ne!(one.distances, other.distances);
-    assert_ne!(one.choices, other.choices);
+/// Lives beside the recording and compares.
+struct Witness {
+    brain: Box<pioneer::Brain>,
+    chosen: ActionId,
+    before: pioneer::Percept,
+    recorded: Box<dyn Iterator<Item = Step>>,
 }
 
-#[test]
-fn a_step_comes_back_from_its_bytes() {
-    for step in trace::steps() {
-        assert_eq!(trace::Step::from_bytes(step.to_bytes()), step);
+impl Witness {
+    fn compare(&mut self, step: Step) {
+        assert_eq!(
+            self.recorded.next(),
+            Some(step),
+            "record_trace makes it again"
+        );
     }
+}
+
+impl Mind for Witness {
+    fn choose(&mut self, now: &pioneer::Percept) -> Result<ActionId, Failure> {
+        self.before = *now;
+        self.chosen = Mind::choose(&mut *self.brain, now)?;
+        Ok(self.chosen)
+    }
+
+    fn learn(&mut self, now: &pioneer::Percept) -> Result<(), Failure> {
+        let (before, action) = (self.before, self.chosen);
+        self.compare(Step {
+            before,
+            action,
+            after: *now,
+            reflex: false,
+        });
+        Mind::learn(&mut *self.brain, now)
+    }
+
+    fn observe(
+        &mut self,
+        before: &pioneer::Percept,
+        action: ActionId,
+        after: &pioneer::Percept,
+    ) -> Result<(), Failure> {
+        self.compare(Step {
+            before: *before,
+            action,
+            after: *after,
+            reflex: true,
+        });
+        Mind::observe(&mut *self.brain, before, action, after)
+    }
+}
+
+#[test]
+fn the_recording_is_of_the_present_world_and_the_present_brain() {
+    let mut brain: Box<pioneer::Brain> = Box::new(Agent::new());
+    pioneer::be_born(&mut brain, AgentConfig::FORAGER, SEED).expect("a valid configuration");
+    let mut witness = Witness {
+        brain,
+        chosen: ActionId(0),
+        before: pioneer::Percept::all_off(7),
+        recorded: Box::new(trace::steps(ACTIONS)),
+    };
+    let mut world = Pioneer::new(PioneerConfig::NOISY, SEED).expect("the reference world");
+    live(&mut witness, &mut world, TRAINING).expect("it lives");
+    witness
+        .brain
+        .act(Adaptation::Relearning)
+        .expect("it was born");
+    live(&mut witness, &mut world, ACTIONS - TRAINING).expect("it lives");
+    assert_eq!(witness.recorded.next(), None);
+}
+
+#[test]
+fn another_life_has_another_fingerprint() {
+    let here = on_host(pioneer::brain(), 2_000);
+    let mut brain = Box::new(pioneer::brain());
+    let other = relive(&mut brain, SEED + 1, trace::steps(2_000), |_| {}).expect("it lives");
+    assert_ne!(here.weights, other.weights);
+    assert_ne!(here.distances, other.distances);
+    assert_ne!(here.choices, other.choices);
+}
+
+#[test]
+fn a_brain_that_does_not_fit_its_part_does_not_link() {
+    let fits = |target, part, features| {
+        let build = Build {
+            part: Some(part),
+            features,
+            ..Build::new(target, "firmware")
+        };
+        match build.build() {
+            Ok(_) => true,
+            Err(error) => {
+                assert!(
+                    error.to_string().contains("will not fit in region 'RAM'"),
+                    "{error}"
+                );
+                false
+            }
+        }
+    };
+    // The RP2040 has two Cortex-M0+.
+    assert!(fits(Target::M0, "rp2040", ""));
+    for part in ["nrf52840", "rp2350", "stm32h743"] {
+        assert!(fits(Target::M4f, part, ""), "{part}");
+    }
+    assert!(fits(Target::M4f, "stm32f405", "small"));
+    let all_of_it = fits(Target::M4f, "stm32f405", "");
+    assert!(!all_of_it, "206 KB do not fit into 128 KiB");
 }

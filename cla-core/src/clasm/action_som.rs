@@ -47,6 +47,8 @@ pub struct Recruitment {
     pub after: u32,
 }
 
+// Evaluated at compile time only: no panic is left in the code.
+#[allow(clippy::panic)]
 const fn valid(schedule: Result<Schedule, crate::num::ScheduleError>) -> Schedule {
     match schedule {
         Ok(schedule) => schedule,
@@ -207,9 +209,8 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
         scratch: &mut MapScratch<WIDTH, HEIGHT>,
     ) -> Trained {
         let MapScratch { dots, distances } = scratch;
-        distances.as_mut_slice().fill(0.0);
         self.context
-            .add_squared_distances(&sample.context(), 1.0, dots, distances);
+            .squared_distances(&sample.context(), dots, distances);
         self.result
             .add_squared_distances(&sample.result(), config.result_weight, dots, distances);
         let best = best_match(distances);

@@ -465,7 +465,12 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 continue;
             }
             let last = PatternId(self.patterns.len() as u16 - 1);
-            self.patterns.swap_remove(index);
+            // What was last takes the free place; the last one has nothing to move.
+            if let Some(moved) = self.patterns.pop()
+                && let Some(place) = self.patterns.get_mut(index)
+            {
+                *place = moved;
+            }
             for schema in &mut self.schemas {
                 for reference in [&mut schema.context, &mut schema.result] {
                     if *reference == last {

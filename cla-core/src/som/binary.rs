@@ -15,6 +15,15 @@ use crate::num::{Neighbourhood, Rng};
 /// where dividing by it loses digits, and rare enough to cost little.
 const SMALLEST_SCALE: f32 = 1.0 / 1024.0;
 
+/// Nodes whose sums are made together: with as many weights they fill the registers of an FPU.
+const LANES: usize = 16;
+
+/// Neighbours that are moved together; bounds the stack.
+const RUN: usize = 8;
+
+/// Features on up to which a stimulus is searched for in one pass.
+const GATHERED: usize = 16;
+
 /// A self-organizing map of `WIDTH` × `HEIGHT` prototypes over `FEATURES` binary features.
 ///
 /// ```
@@ -89,17 +98,107 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         }
     }
 
-    /// Adds `factor` · ‖x − m‖² (over the known features) of every node to `distances`.
+    /// Writes ‖x − m‖² (over the known features) of every node into `distances`.
     ///
     /// `scratch` is overwritten.
     /// A squared distance that rounding would make negative counts as 0.
     /// Features outside the map are left out.
+    pub fn squared_distances(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+    ) {
+        self.distances(stimulus, scratch, distances, |total, own| *total = own);
+    }
+
+    /// As [`squared_distances`](Self::squared_distances), but adds `factor` times the distance to
+    /// what is there.
     pub fn add_squared_distances(
         &self,
         stimulus: &SparseStimulus<'_>,
         factor: f32,
         scratch: &mut Grid<f32, WIDTH, HEIGHT>,
         distances: &mut Grid<f32, WIDTH, HEIGHT>,
+    ) {
+        self.distances(stimulus, scratch, distances, |total, own| {
+            *total += factor * own;
+        });
+    }
+
+    fn distances(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+        put: impl Fn(&mut f32, f32),
+    ) {
+        let mut on = heapless::Vec::<_, GATHERED, u8>::new();
+        let few = stimulus
+            .on()
+            .filter_map(|j| self.columns.get(usize::from(j)))
+            .all(|column| on.push(column).is_ok());
+        if few && stimulus.minus().next().is_none() && stimulus.unknown().next().is_none() {
+            self.distances_of_few(&on, distances, put);
+        } else {
+            self.distances_of_any(stimulus, scratch, distances, put);
+        }
+    }
+
+    /// The common case: the sums of a block of nodes stay in registers until they are distances.
+    fn distances_of_few(
+        &self,
+        on: &[&Grid<f32, WIDTH, HEIGHT>],
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+        put: impl Fn(&mut f32, f32),
+    ) {
+        let length = on.len() as f32;
+        let (totals, last_totals) = distances.as_mut_slice().as_chunks_mut::<LANES>();
+        let (scales, last_scales) = self.scale.as_slice().as_chunks::<LANES>();
+        let (norms, last_norms) = self.squared_norm.as_slice().as_chunks::<LANES>();
+        let Some((first, others)) = on.split_first() else {
+            for (total, &norm) in distances
+                .as_mut_slice()
+                .iter_mut()
+                .zip(self.squared_norm.as_slice())
+            {
+                put(total, not_below_zero(norm));
+            }
+            return;
+        };
+        let (first, last) = first.as_slice().as_chunks::<LANES>();
+        let nodes = totals.iter_mut().zip(scales).zip(norms).zip(first);
+        for (block, (((totals, scales), norms), first)) in nodes.enumerate() {
+            let mut sums = *first;
+            for column in others {
+                if let Some(values) = column.as_slice().as_chunks::<LANES>().0.get(block) {
+                    for (sum, value) in sums.iter_mut().zip(values) {
+                        *sum += value;
+                    }
+                }
+            }
+            finish(totals, &sums, scales, norms, length, &put);
+        }
+        let mut sums = [0.0; LANES];
+        for (sum, value) in sums.iter_mut().zip(last) {
+            *sum = *value;
+        }
+        for column in others {
+            let (_, values) = column.as_slice().as_chunks::<LANES>();
+            for (sum, value) in sums.iter_mut().zip(values) {
+                *sum += value;
+            }
+        }
+        finish(last_totals, &sums, last_scales, last_norms, length, &put);
+    }
+
+    /// Any stimulus, feature by feature; the same sums in the same order, so the same bits.
+    fn distances_of_any(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+        put: impl Fn(&mut f32, f32),
     ) {
         let dots = scratch.as_mut_slice();
         dots.fill(0.0);
@@ -141,7 +240,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
             }
         }
         for (total, &own) in distances.as_mut_slice().iter_mut().zip(dots.iter()) {
-            *total += factor * if own > 0.0 { own } else { 0.0 };
+            put(total, not_below_zero(own));
         }
     }
 
@@ -166,13 +265,85 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         let left = column.saturating_sub(neighbourhood.horizontal_radius());
         let bottom = (row + neighbourhood.vertical_radius()).min(HEIGHT - 1);
         let right = (column + neighbourhood.horizontal_radius()).min(WIDTH - 1);
+        let plain = stimulus.unknown().next().is_none();
+        let mut run = Run::new();
         for y in top..=bottom {
+            run.first = y * WIDTH + left;
             for x in left..=right {
                 let node = NodeId((y * WIDTH + x) as u16);
-                if may_move(node) {
-                    let near = neighbourhood.weight(x.abs_diff(column), y.abs_diff(row));
-                    self.step(stimulus, node, alpha * near);
+                if run.nodes == RUN {
+                    self.move_run(stimulus, &mut run);
+                    run.first = y * WIDTH + x;
                 }
+                if may_move(node) {
+                    let c = alpha * neighbourhood.weight(x.abs_diff(column), y.abs_diff(row));
+                    if plain && self.enter(&mut run, c) {
+                        continue;
+                    }
+                    self.step(stimulus, node, c);
+                }
+                self.move_run(stimulus, &mut run);
+                run.first = y * WIDTH + x + 1;
+            }
+            self.move_run(stimulus, &mut run);
+        }
+    }
+
+    /// Takes the next node into a run and decays its prototype; not one that is due for folding.
+    fn enter(&mut self, run: &mut Run, c: f32) -> bool {
+        let index = run.first + run.nodes;
+        let place = run.steps.get_mut(run.nodes);
+        if let (Some(step), Some(scale)) = (place, self.scale.as_mut_slice().get_mut(index)) {
+            let (before, keep) = (*scale, 1.0 - c);
+            let after = before * keep;
+            if after >= SMALLEST_SCALE {
+                *scale = after;
+                *step = Step {
+                    c,
+                    before,
+                    amount: c / after,
+                    dot: 0.0,
+                };
+                run.nodes += 1;
+                return true;
+            }
+        }
+        false
+    }
+
+    /// What [`step`](Self::step) does after the decay, for neighbours in a row at once: column by
+    /// column instead of node by node, each node's sums in the same order.
+    fn move_run(&mut self, stimulus: &SparseStimulus<'_>, run: &mut Run) {
+        let nodes = run.first..run.first + run.nodes;
+        let steps = match run.steps.get_mut(..run.nodes) {
+            Some(steps) if !steps.is_empty() => steps,
+            _ => return,
+        };
+        run.nodes = 0;
+        let mut length = 0.0;
+        for j in stimulus.on() {
+            let column = self.columns.get_mut(usize::from(j));
+            if let Some(values) = column.and_then(|it| it.as_mut_slice().get_mut(nodes.clone())) {
+                length += 1.0;
+                for (value, step) in values.iter_mut().zip(steps.iter_mut()) {
+                    step.dot += *value;
+                    *value += step.amount;
+                }
+            }
+        }
+        for j in stimulus.minus() {
+            let column = self.columns.get_mut(usize::from(j));
+            if let Some(values) = column.and_then(|it| it.as_mut_slice().get_mut(nodes.clone())) {
+                length += 1.0;
+                for (value, step) in values.iter_mut().zip(steps.iter_mut()) {
+                    step.dot -= *value;
+                    *value -= step.amount;
+                }
+            }
+        }
+        if let Some(norms) = self.squared_norm.as_mut_slice().get_mut(nodes) {
+            for (norm, step) in norms.iter_mut().zip(steps) {
+                *norm = step.norm_after(*norm, 0.0, length);
             }
         }
     }
@@ -213,7 +384,6 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
             return;
         }
         *scale = after;
-        // (1 − c)²·|m|² + 2c(1 − c)·m·x + c²·|x|² over the known features; the unknown keep theirs.
         let mut unknown_norm = 0.0;
         for j in stimulus.unknown() {
             if let Some(value) = value_mut(&mut self.columns, j, index) {
@@ -224,9 +394,13 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         }
         let (dot, length) = self.add(stimulus, index, c / after);
         if let Some(norm) = self.squared_norm.as_mut_slice().get_mut(index) {
-            let known = *norm - unknown_norm;
-            *norm =
-                keep * keep * known + 2.0 * c * keep * before * dot + c * c * length + unknown_norm;
+            let step = Step {
+                c,
+                before,
+                amount: c / after,
+                dot,
+            };
+            *norm = step.norm_after(*norm, unknown_norm, length);
         }
     }
 
@@ -281,11 +455,80 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
     }
 }
 
+/// Neighbours in a row that move together.
+struct Run {
+    /// Index of the first node.
+    first: usize,
+    nodes: usize,
+    steps: [Step; RUN],
+}
+
+impl Run {
+    const fn new() -> Self {
+        Self {
+            first: 0,
+            nodes: 0,
+            steps: [Step {
+                c: 0.0,
+                before: 0.0,
+                amount: 0.0,
+                dot: 0.0,
+            }; RUN],
+        }
+    }
+}
+
+/// How far one node moves.
+#[derive(Clone, Copy)]
+struct Step {
+    /// The share of the way.
+    c: f32,
+    /// The factor before.
+    before: f32,
+    /// What a feature that is on adds to v.
+    amount: f32,
+    /// Σ v_j·x_j before.
+    dot: f32,
+}
+
+impl Step {
+    /// (1 − c)²·|m|² + 2c(1 − c)·m·x + c²·|x|² over the known features; the unknown keep theirs.
+    fn norm_after(&self, norm: f32, unknown: f32, length: f32) -> f32 {
+        let Self { c, before, dot, .. } = *self;
+        let keep = 1.0 - c;
+        let known = norm - unknown;
+        keep * keep * known + 2.0 * c * keep * before * dot + c * c * length + unknown
+    }
+}
+
 impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Default
     for BinarySom<WIDTH, HEIGHT, FEATURES>
 {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+/// The number, or 0 for a negative one: no comparison, whose flags cost an FPU two instructions more.
+#[inline(always)]
+fn not_below_zero(x: f32) -> f32 {
+    let bits = x.to_bits();
+    f32::from_bits(bits & !((bits as i32 >> 31) as u32))
+}
+
+/// Sums of weights become squared distances.
+#[inline(always)]
+fn finish(
+    totals: &mut [f32],
+    sums: &[f32],
+    scales: &[f32],
+    norms: &[f32],
+    length: f32,
+    put: impl Fn(&mut f32, f32),
+) {
+    for (((total, sum), scale), norm) in totals.iter_mut().zip(sums).zip(scales).zip(norms) {
+        let own = norm - 2.0 * scale * sum + length;
+        put(total, not_below_zero(own));
     }
 }
 

@@ -7,13 +7,17 @@
 
 use super::grid::{Grid, NodeId};
 use super::prototypes::Prototypes;
-use super::stimulus::SparseStimulus;
+use super::stimulus::{Ones, SparseStimulus};
 use crate::num::{Neighbourhood, Rng};
 
 /// The integer that stands for a weight of 1.
 const ONE: i32 = 127;
 /// Fractional bits of the step c = α·h.
 const STEP_BITS: u32 = 16;
+/// Nodes whose sums are made together: as many as have room in the registers of the smallest part.
+const LANES: usize = 4;
+/// Features whose columns are added in one pass.
+const GATHERED: usize = 16;
 
 /// A self-organizing map of `WIDTH` × `HEIGHT` prototypes over `FEATURES` binary features, a byte
 /// for each weight.
@@ -75,22 +79,12 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
         scratch: &mut Grid<f32, WIDTH, HEIGHT>,
         distances: &mut Grid<f32, WIDTH, HEIGHT>,
     ) {
-        // Sums of products of bytes are exact in f32 up to 2²⁴: more than 1000 features.
-        let sums = scratch.as_mut_slice();
-        sums.fill(0.0);
-        for (feature, column) in self.columns.iter().enumerate() {
-            let feature = feature as u16;
-            if stimulus.is_unknown(feature) {
-                continue;
-            }
-            let target = target_of(stimulus, feature);
-            for (sum, &weight) in sums.iter_mut().zip(column.as_slice()) {
-                let difference = target - i32::from(weight);
-                *sum += (difference * difference) as f32;
-            }
-        }
         let unit = factor / (ONE * ONE) as f32;
-        for (total, &sum) in distances.as_mut_slice().iter_mut().zip(sums.iter()) {
+        for (total, sum) in distances
+            .as_mut_slice()
+            .iter_mut()
+            .zip(self.sums(stimulus, scratch))
+        {
             *total += unit * sum;
         }
     }
@@ -139,28 +133,104 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
 impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
     ByteSom<WIDTH, HEIGHT, FEATURES>
 {
+    /// (127·‖x − m‖)² of every node over the known features: |m|² − 2·Σ m_j·x_j + |x|².
+    ///
+    /// Whole numbers, in an `i32` for up to 33,000 features; those of more than 1000 features may
+    /// be rounded when they become floats.
+    fn sums<'a>(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        scratch: &'a mut Grid<f32, WIDTH, HEIGHT>,
+    ) -> impl Iterator<Item = f32> + use<'a, WIDTH, HEIGHT, FEATURES> {
+        let inside = |features: Ones<'_>| features.filter(|&j| usize::from(j) < FEATURES).count();
+        let length = (inside(stimulus.on()) + inside(stimulus.minus())) as i32 * ONE * ONE;
+        for sum in scratch.as_mut_slice() {
+            *sum = f32::from_bits(length as u32);
+        }
+        for columns in self.columns.chunks(GATHERED) {
+            add_each(columns.iter(), scratch, |weight| weight * weight);
+        }
+        self.add_those(stimulus.on(), scratch, |weight| -2 * ONE * weight);
+        self.add_those(stimulus.minus(), scratch, |weight| 2 * ONE * weight);
+        self.add_those(stimulus.unknown(), scratch, |weight| -weight * weight);
+        let sums = scratch.as_slice().iter();
+        sums.map(|sum| sum.to_bits() as i32 as f32)
+    }
+
+    /// Adds a term for each weight of the features, some features at a time.
+    fn add_those(
+        &self,
+        mut features: Ones<'_>,
+        sums: &mut Grid<f32, WIDTH, HEIGHT>,
+        term: impl Fn(i32) -> i32,
+    ) {
+        loop {
+            let columns = features.by_ref();
+            let columns = columns.filter_map(|j| self.columns.get(usize::from(j)));
+            let some: heapless::Vec<_, GATHERED, u8> = columns.take(GATHERED).collect();
+            if some.is_empty() {
+                return;
+            }
+            add_each(some.iter().copied(), sums, &term);
+        }
+    }
+
     /// m ← m + c·(x − m) on the known features of one node, rounded at random.
     fn step(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId, c: f32) {
         let c = (c * (1 << STEP_BITS) as f32) as i32;
-        for (feature, column) in self.columns.iter_mut().enumerate() {
-            let feature = feature as u16;
-            if stimulus.is_unknown(feature) {
-                continue;
+        for (word, columns) in self.columns.chunks_mut(32).enumerate() {
+            let bits = |words: &[u32]| words.get(word).copied().unwrap_or(0);
+            let mut on = bits(stimulus.on);
+            let mut minus = bits(stimulus.minus);
+            let mut unknown = bits(stimulus.unknown);
+            for column in columns {
+                let target = ONE * ((on & 1) as i32 - (minus & 1) as i32);
+                let known = unknown & 1 == 0;
+                (on, minus, unknown) = (on >> 1, minus >> 1, unknown >> 1);
+                let Some(weight) = column.as_mut_slice().get_mut(usize::from(node.0)) else {
+                    return;
+                };
+                let difference = target - i32::from(*weight);
+                if !known || difference == 0 {
+                    continue;
+                }
+                self.noise ^= self.noise << 13;
+                self.noise ^= self.noise >> 17;
+                self.noise ^= self.noise << 5;
+                let rounding = (self.noise >> (32 - STEP_BITS)) as i32;
+                // At most 2¹⁶ · 254 + 2¹⁶: inside i32; the result lies between weight and target.
+                let moved = (c * difference + rounding) >> STEP_BITS;
+                *weight = (i32::from(*weight) + moved) as i8;
             }
-            let Some(weight) = column.as_mut_slice().get_mut(usize::from(node.0)) else {
-                return;
-            };
-            let difference = target_of(stimulus, feature) - i32::from(*weight);
-            if difference == 0 {
-                continue;
+        }
+    }
+}
+
+/// Adds a term for each weight of the columns, with the sums of a block of nodes in registers.
+///
+/// `sums` are the bits of whole numbers: the scratch memory is one of floats for all maps.
+fn add_each<'a, const WIDTH: usize, const HEIGHT: usize>(
+    columns: impl Iterator<Item = &'a Grid<i8, WIDTH, HEIGHT>> + Clone,
+    sums: &mut Grid<f32, WIDTH, HEIGHT>,
+    term: impl Fn(i32) -> i32,
+) {
+    let (blocks, rest) = sums.as_mut_slice().as_chunks_mut::<LANES>();
+    for (block, sums) in blocks.iter_mut().enumerate() {
+        let mut own = sums.map(|sum| sum.to_bits() as i32);
+        for column in columns.clone() {
+            if let Some(weights) = column.as_slice().as_chunks::<LANES>().0.get(block) {
+                for (own, &weight) in own.iter_mut().zip(weights) {
+                    *own += term(i32::from(weight));
+                }
             }
-            self.noise ^= self.noise << 13;
-            self.noise ^= self.noise >> 17;
-            self.noise ^= self.noise << 5;
-            let rounding = (self.noise >> (32 - STEP_BITS)) as i32;
-            // At most 2¹⁶ · 254 + 2¹⁶: inside i32; the result lies between weight and target.
-            let moved = (c * difference + rounding) >> STEP_BITS;
-            *weight = (i32::from(*weight) + moved) as i8;
+        }
+        *sums = own.map(|own| f32::from_bits(own as u32));
+    }
+    for column in columns {
+        let (_, weights) = column.as_slice().as_chunks::<LANES>();
+        for (sum, &weight) in rest.iter_mut().zip(weights) {
+            let own = sum.to_bits() as i32 + term(i32::from(weight));
+            *sum = f32::from_bits(own as u32);
         }
     }
 }

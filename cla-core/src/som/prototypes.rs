@@ -33,6 +33,18 @@ pub trait Prototypes<const WIDTH: usize, const HEIGHT: usize> {
     /// One weight in `[−1, 1]`; 0 for a node or feature outside the map.
     fn weight(&self, node: NodeId, feature: u16) -> f32;
 
+    /// Writes ‖x − m‖² (over the known features) of every node into `distances`; `scratch` is
+    /// overwritten.
+    fn squared_distances(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+    ) {
+        distances.as_mut_slice().fill(0.0);
+        self.add_squared_distances(stimulus, 1.0, scratch, distances);
+    }
+
     /// Adds `factor` · ‖x − m‖² (over the known features) of every node to `distances`;
     /// `scratch` is overwritten.
     fn add_squared_distances(
@@ -69,6 +81,15 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
 
     fn weight(&self, node: NodeId, feature: u16) -> f32 {
         Self::weight(self, node, feature)
+    }
+
+    fn squared_distances(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+    ) {
+        Self::squared_distances(self, stimulus, scratch, distances);
     }
 
     fn add_squared_distances(

@@ -4,4 +4,5 @@ pub mod angle;
 pub mod calibrate;
 pub mod causal;
 pub mod forage;
+pub mod mcu;
 pub mod microworld;

@@ -1,9 +1,59 @@
 //! How a brain lives in a world: the loop of sensing, choosing, acting and learning.
 
-use cla_core::clasm::{AgentError, ItemSet, ItemStates};
-use cla_core::forager::pioneer::{Action, Brain, Item, Percept};
+use cla_core::clasm::{ActionId, Agent, ItemSet, ItemStates};
+use cla_core::forager::pioneer::{Action, Item, Percept};
 
+use crate::options::Failure;
 use crate::world::{self, World};
+
+/// What chooses and learns for a forager's body: a brain here, or one at the end of a wire.
+pub trait Mind {
+    /// What to do now.
+    ///
+    /// # Errors
+    /// [`Failure`] of a brain that was not born, or of the wire to it.
+    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure>;
+
+    /// Learns what the chosen action led to.
+    ///
+    /// # Errors
+    /// As [`choose`](Self::choose).
+    fn learn(&mut self, now: &Percept) -> Result<(), Failure>;
+
+    /// Learns from a reflex.
+    ///
+    /// # Errors
+    /// As [`choose`](Self::choose).
+    fn observe(
+        &mut self,
+        before: &Percept,
+        action: ActionId,
+        after: &Percept,
+    ) -> Result<(), Failure>;
+}
+
+impl<const WIDTH: usize, const HEIGHT: usize, const PATTERNS: usize, const SCHEMAS: usize> Mind
+    for Agent<1, 7, WIDTH, HEIGHT, 6, PATTERNS, SCHEMAS>
+{
+    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
+        Ok(Self::choose(self, now)?.action)
+    }
+
+    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
+        Self::learn(self, now)?;
+        Ok(())
+    }
+
+    fn observe(
+        &mut self,
+        before: &Percept,
+        action: ActionId,
+        after: &Percept,
+    ) -> Result<(), Failure> {
+        Self::observe(self, before, action, after)?;
+        Ok(())
+    }
+}
 
 /// What came of some actions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,7 +84,7 @@ pub fn percept(now: &world::Percept) -> Percept {
 /// around.
 /// A brain that did not see them would take a bump for the end of the world: no action would ever
 /// have followed one.
-fn feel_reflexes(brain: &mut Brain, world: &mut dyn World) -> Result<(), AgentError> {
+fn feel_reflexes(mind: &mut dyn Mind, world: &mut dyn World) -> Result<(), Failure> {
     loop {
         let before = percept(&world.sense());
         if !world.reflex() {
@@ -46,23 +96,23 @@ fn feel_reflexes(brain: &mut Brain, world: &mut dyn World) -> Result<(), AgentEr
         } else {
             Action::turnaround
         };
-        brain.observe(&before, action.id(), &percept(&world.sense()))?;
+        mind.observe(&before, action.id(), &percept(&world.sense()))?;
     }
 }
 
 /// Lets a brain do up to `actions` actions; reflexes run in between and are not counted.
 ///
 /// # Errors
-/// [`AgentError::NotBegun`] for an unborn brain.
-pub fn live(brain: &mut Brain, world: &mut dyn World, actions: u32) -> Result<Tally, AgentError> {
+/// [`Failure`] of an unborn brain, or of the wire to a distant one.
+pub fn live(mind: &mut dyn Mind, world: &mut dyn World, actions: u32) -> Result<Tally, Failure> {
     let before = world.captures();
     let mut done = 0;
     while done < actions && !world.finished() {
         let now = percept(&world.sense());
-        let choice = brain.choose(&now)?;
-        world.act(usize::from(choice.action.0));
-        brain.learn(&percept(&world.sense()))?;
-        feel_reflexes(brain, world)?;
+        let action = mind.choose(&now)?;
+        world.act(usize::from(action.0));
+        mind.learn(&percept(&world.sense()))?;
+        feel_reflexes(mind, world)?;
         done += 1;
     }
     Ok(Tally {

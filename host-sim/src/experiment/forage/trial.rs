@@ -99,7 +99,7 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
     let (mut first_ingrip, mut training_captures, mut done) = (None, 0, 0);
     while done < options.actions {
         let chunk = options.brain.harvest_every.min(options.actions - done);
-        let tally = live(&mut brain, &mut world, chunk)?;
+        let tally = live(&mut *brain, &mut world, chunk)?;
         ticker.advance(u64::from(chunk));
         training_captures += tally.captures;
         done += chunk;
@@ -233,7 +233,7 @@ impl Bench<'_> {
             let mut copy = Box::new(brain.clone());
             copy.act(Adaptation::Reliabilities)?;
             let mut world = self.fresh(world, after_capture)?;
-            let tally = live(&mut copy, &mut world, self.options.test_actions)?;
+            let tally = live(&mut *copy, &mut world, self.options.test_actions)?;
             self.ticker.advance(u64::from(self.options.test_actions));
             Ok(tally.captures)
         };
@@ -247,7 +247,7 @@ impl Bench<'_> {
     fn trained(&self, config: AgentConfig, world: &WorldOptions) -> Result<Box<Brain>, Failure> {
         let mut brain = born(config, self.seed)?;
         live(
-            &mut brain,
+            &mut *brain,
             &mut world.build(self.seed)?,
             self.options.actions,
         )?;

@@ -1,42 +1,46 @@
-//! Arm's MPS2 board with a Cortex-M4F (AN386), as QEMU emulates it: instruction counter and stack.
+//! The emulated boards: what counts instructions on them, and their stack.
 //!
-//! QEMU runs with `-icount shift=6`: an instruction takes 64 ns of the board's time, and the timer
-//! counts every 40 ns, so instructions are 5/8 of its ticks.
-//! On a real board this file is the one to replace: by a cycle counter and the part's own memory.
+//! This is for measuring; a robot needs none of it (its file is `hal.rs`).
+//! Statics begin at the linker's `__sdata` and end at `__ebss`; above them lies the stack, which
+//! grows down from `_stack_start`.
 
 #![allow(unsafe_code)]
 
-/// The CMSDK timer 0: control, value, reload.
-const TIMER: *mut u32 = 0x4000_0000 as *mut u32;
+#[cfg(target_arch = "arm")]
+mod mps2;
+#[cfg(target_arch = "riscv32")]
+mod riscv_virt;
+
+#[cfg(target_arch = "arm")]
+use mps2::Clock;
+#[cfg(target_arch = "riscv32")]
+use riscv_virt::Clock;
 
 /// What the stack is painted with.
 const PAINT: u32 = 0xC1A0_2004;
 
 /// Counts instructions from [`start`](Self::start) on.
 pub struct Counter {
-    last: u32,
+    clock: Clock,
+    overhead: u32,
 }
 
 impl Counter {
-    /// Starts the timer at its largest value; it counts down and wraps.
+    /// Starts counting, and finds out what a count itself costs.
+    #[must_use]
     pub fn start() -> Self {
-        // SAFETY: the registers of the board's timer, which nothing else in this program uses.
-        unsafe {
-            TIMER.write_volatile(0);
-            TIMER.add(1).write_volatile(u32::MAX);
-            TIMER.add(2).write_volatile(u32::MAX);
-            TIMER.write_volatile(1);
-        }
-        Self { last: u32::MAX }
+        let mut it = Self {
+            clock: Clock::start(),
+            overhead: 0,
+        };
+        it.lap();
+        it.overhead = it.lap();
+        it
     }
 
-    /// Instructions since the last call (or the start), to within two.
+    /// Instructions since the last call (or the start), without those of counting, to within two.
     pub fn lap(&mut self) -> u32 {
-        // SAFETY: reading the timer's value has no effect.
-        let now = unsafe { TIMER.add(1).read_volatile() };
-        let ticks = self.last.wrapping_sub(now);
-        self.last = now;
-        (u64::from(ticks) * 5 / 8) as u32
+        self.clock.lap().saturating_sub(self.overhead)
     }
 }
 
@@ -47,6 +51,7 @@ unsafe extern "C" {
 }
 
 /// Fills the unused stack with a pattern, so that [`stack_used`] can find how deep it went.
+#[inline(never)]
 pub fn paint_stack() {
     let here = 0_u32;
     // A margin for this function's own frame and what the loop pushes.
@@ -60,6 +65,7 @@ pub fn paint_stack() {
 }
 
 /// The most bytes of stack in use since [`paint_stack`].
+#[must_use]
 pub fn stack_used() -> usize {
     let end = &raw const _stack_start as usize;
     let mut address = &raw const __ebss as usize;
@@ -71,6 +77,7 @@ pub fn stack_used() -> usize {
 }
 
 /// Bytes of static memory: initialized and zeroed data.
+#[must_use]
 pub fn static_bytes() -> usize {
     (&raw const __ebss as usize) - (&raw const __sdata as usize)
 }

@@ -1,0 +1,387 @@
+#![no_std]
+#![no_main]
+//! Proof by linking that the core has no panic path: its panic handler calls a function that does
+//! not exist.
+//!
+//! `ENTRY=choose cargo build --release --bin panic_free` links one public entry point, without
+//! `ENTRY` all of them at once; the test `panic_free` in `../../tests` builds it at opt-level 3 and s.
+//! It is never run, and what it links is also what the budget counts as the core's code.
+
+use core::fmt::Write;
+use core::hint::black_box;
+use core::panic::PanicInfo;
+
+use cla_core::clasm::*;
+use cla_core::forager::pioneer::{Action, Brain, Percept, be_born};
+use cla_core::layer::overload::{
+    MatchDistance, OverloadDetector, Response, TotalActivation, Transitions,
+};
+use cla_core::layer::*;
+use cla_core::num::{Neighbourhood, Rng, Schedule, ScheduleError, exp, ln, sqrt};
+use cla_core::som::*;
+
+// Never linked, so never called.
+#[allow(unsafe_code)]
+unsafe extern "C" {
+    safe fn a_panic_path_is_left() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    a_panic_path_is_left()
+}
+
+/// Each entry is a function of values that the compiler does not know, and `_start` takes its
+/// address, so that it is linked whole; `sets` name several entries at once.
+macro_rules! entries {
+    (
+        sets { $($set:literal = [$($member:literal),+ $(,)?]),+ $(,)? }
+        $($name:literal ($($argument:ident: $of:ty),* $(,)?) $(-> $out:ty)? $body:block)+
+    ) => {
+        const WANTED: &str = match option_env!("ENTRY") {
+            Some(name) => name,
+            None => "all",
+        };
+
+        const fn same(a: &str, b: &str) -> bool {
+            let (mut a, mut b) = (a.as_bytes(), b.as_bytes());
+            while let ([first, rest @ ..], [other, others @ ..]) = (a, b) {
+                if *first != *other {
+                    return false;
+                }
+                (a, b) = (rest, others);
+            }
+            a.is_empty() && b.is_empty()
+        }
+
+        const fn wanted(name: &str) -> bool {
+            // "control" panics on purpose.
+            (same(WANTED, "all") && !same(name, "control"))
+                || same(WANTED, name)
+                $(|| same(WANTED, $set) && (false $(|| same(name, $member))+))+
+        }
+
+        const KNOWN: bool = same(WANTED, "all")
+            $(|| same(WANTED, $set))+ $(|| same(WANTED, $name))+;
+
+        #[unsafe(no_mangle)]
+        #[allow(unsafe_code)]
+        extern "C" fn _start() {
+            const { assert!(KNOWN, "ENTRY names no entry") };
+            $(if const { wanted($name) } {
+                #[inline(never)]
+                fn entry($($argument: $of),*) $(-> $out)? $body
+                black_box(entry as fn($($of),*) $(-> $out)?);
+            })+
+        }
+    };
+}
+
+type Agent6 = Brain;
+type Binary = BinarySom<20, 20, 7>;
+type Bytes = ByteSom<12, 12, 7>;
+type Dense = DenseSom<6, 6, 4>;
+type Near<const N: usize> = Neighbourhood<N, N>;
+type Tables = KnowledgeBase<1, 128, 1024>;
+type Mind = Accommodation<3, 32, 200, 10>;
+type Plans = Planner<3, 76, 100>;
+type Items3 = ItemSet<3>;
+type Signed = SignedItems<3>;
+type Hierarchy = Stack<Join<Layer<4, 4, 3>, Delayed<Input<2>, 2, 3>>, 3, 3, 18>;
+type Sliding = Window<Layer<3, 3, 2>, 9, 3>;
+type Loop = Recurrent<Stack<Join<Input<2>, Input<16>>, 4, 4, 18>, 16, 1>;
+
+/// Where displayed text goes.
+struct Nowhere(u32);
+
+impl Write for Nowhere {
+    fn write_str(&mut self, text: &str) -> core::fmt::Result {
+        self.0 = self.0.wrapping_add(text.len() as u32);
+        Ok(())
+    }
+}
+
+entries! {
+    sets {
+        // What a robot needs that only acts, and what one needs that learns.
+        "acting" = ["choose", "knowledge_record", "improve_values"],
+        "training" = ["begin", "choose", "learn", "observe", "act"],
+    }
+    "control" (slice: &[u8], index: usize) -> u8 { slice[index] }
+
+    "exp" (x: f32) -> f32 { exp(x) }
+    "ln" (x: f32) -> f32 { ln(x) }
+    "sqrt" (x: f32) -> f32 { sqrt(x) }
+    "rng" (seed: u64, bound: u32, p: f32) -> (u64, u32, f32, bool) {
+        let mut rng = Rng::stream(seed, seed);
+        (rng.next_seed(), rng.below(bound) ^ rng.next_u32(), rng.unit(), rng.chance(p) ^ (Rng::new(seed) == rng))
+    }
+    "neighbourhood" (sigma: f32, cut: f32, dx: usize, dy: usize) -> Option<f32> {
+        let near = Near::<20>::gaussian(sigma, cut).ok()?;
+        Some(near.weight(dx, dy) + near.horizontal_radius() as f32)
+    }
+    "schedule" (it: &Schedule, samples: u32) -> f32 { it.at(samples) }
+    "schedules" (from: f32, to: f32, steps: u32) -> [Result<Schedule, ScheduleError>; 4] {
+        [
+            Schedule::constant(from),
+            Schedule::linear(from, to, steps),
+            Schedule::geometric(from, to, steps),
+            Schedule::decay(from, to, to),
+        ]
+    }
+
+    "dense_randomize" (som: &mut Dense, rng: &mut Rng) { som.randomize(rng) }
+    "dense_best_match" (som: &Dense, x: &[f32; 4]) -> Result<BestMatch, StimulusError> {
+        som.best_matching_unit(x)
+    }
+    "dense_train" (som: &mut Dense, x: &[f32; 4], winner: NodeId, near: &Near<6>, alpha: f32) {
+        som.train(x, winner, alpha, near)
+    }
+    "quality" (som: &Dense, x: &[[f32; 4]]) -> Option<f32> {
+        Some(quantization_error(som, x.iter()).ok()? + topographic_error(som, x.iter()).ok()?)
+    }
+    "binary_randomize" (som: &mut Binary, rng: &mut Rng) { som.randomize(rng) }
+    "binary_distances" (
+        som: &Binary, x: &SparseStimulus<'_>, factor: f32,
+        scratch: &mut Grid<f32, 20, 20>, out: &mut Grid<f32, 20, 20>,
+    ) { som.add_squared_distances(x, factor, scratch, out) }
+    "binary_train" (
+        som: &mut Binary, x: &SparseStimulus<'_>, winner: NodeId, alpha: f32, near: &Near<20>,
+    ) { som.train(x, winner, alpha, near, |node| node != winner) }
+    "binary_imprint" (som: &mut Binary, x: &SparseStimulus<'_>, node: NodeId) -> f32 {
+        som.imprint(x, node);
+        som.weight(node, node.0)
+    }
+    "byte_randomize" (som: &mut Bytes, rng: &mut Rng) { som.randomize(rng) }
+    "byte_distances" (
+        som: &Bytes, x: &SparseStimulus<'_>, factor: f32,
+        scratch: &mut Grid<f32, 12, 12>, out: &mut Grid<f32, 12, 12>,
+    ) { som.add_squared_distances(x, factor, scratch, out) }
+    "byte_train" (
+        som: &mut Bytes, x: &SparseStimulus<'_>, winner: NodeId, alpha: f32, near: &Near<12>,
+    ) { som.train(x, winner, alpha, near, |node| node != winner) }
+    "byte_imprint" (som: &mut Bytes, x: &SparseStimulus<'_>, node: NodeId) -> f32 {
+        som.imprint(x, node);
+        som.weight(node, node.0)
+    }
+    "binary_squared_distances" (
+        som: &Binary, x: &SparseStimulus<'_>, scratch: &mut Grid<f32, 20, 20>, out: &mut Grid<f32, 20, 20>,
+    ) { som.squared_distances(x, scratch, out) }
+    "dense_squared_distances" (
+        som: &Dense, x: &[f32; 4], out: &mut Grid<f32, 6, 6>,
+    ) -> Result<(), StimulusError> { som.squared_distances(x, out) }
+    "stimulus" (x: &SparseStimulus<'_>, feature: u16) -> bool {
+        x.is_unknown(feature) ^ (x.minus().count() > 3)
+    }
+    "best_match" (distances: &Grid<f32, 20, 20>) -> BestMatch { best_match(distances) }
+    "position" (grid: &Grid<f32, 20, 20>, node: NodeId) -> (usize, usize) { grid.position(node) }
+
+    "layer" (
+        layer: &mut Layer<4, 4, 3>, config: &LayerConfig, rng: &mut Rng, x: &[f32; 3], t: u32,
+    ) -> Result<Response, StimulusError> {
+        layer.start(config, rng);
+        layer.configure(config);
+        layer.activate(x)?;
+        layer.train(t);
+        Ok(Response { total_activation: layer.total_activation(), ..layer.response() })
+    }
+    "hierarchy" (
+        it: &mut Hierarchy, x: &<Hierarchy as Structure>::Sensors, t: u32,
+    ) -> Result<(), StimulusError> {
+        it.forget_context();
+        it.learn(x, t)
+    }
+    "window" (it: &mut Sliding, x: &<Sliding as Structure>::Sensors, t: u32) -> Result<(), StimulusError> {
+        it.learn(x, t)
+    }
+    "recurrent" (it: &mut Loop, x: &[f32; 2], t: u32) -> Result<(), StimulusError> {
+        it.learn(x, t)
+    }
+    "delay" (it: &mut DelayLine<9, 4>, x: &[f32; 9], age: usize) -> Option<f32> {
+        it.clear();
+        it.push(x);
+        let _ = it.oldest();
+        it.tap(age)?.first().copied()
+    }
+    "composite" (
+        it: &mut ActivationComposite<4, 4>, x: &Grid<f32, 4, 4>, others: &[&ActivationComposite<4, 4>],
+    ) -> f32 {
+        it.add(x);
+        let alone = it.isolate(others);
+        alone.difference(it) + alone.total() + f32::from(alone.nodes_above(0.5))
+    }
+    "total_activation" (it: &mut TotalActivation, x: &Response) -> bool {
+        it.record(x);
+        it.overloaded(x) ^ it.minimum().is_none()
+    }
+    "match_distance" (it: &mut MatchDistance<6, 6>, x: &Response) -> bool {
+        it.record(x);
+        it.overloaded(x)
+    }
+    "transitions" (it: &mut Transitions<6, 6, 2>, x: &Response) -> bool {
+        it.record(x);
+        it.overloaded(x) ^ (it.recorded() > 3)
+    }
+    "fallback" (overloaded: [bool; 3]) -> Option<Level> { answering_level(overloaded) }
+
+    "be_born" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
+        config.check()?;
+        be_born(brain, config, seed)
+    }
+    "action_of" (id: ActionId) -> Option<Action> { Action::of(id) }
+    "begin" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
+        brain.begin(config, seed)
+    }
+    "choose" (brain: &mut Agent6, now: &Percept) -> Result<Choice, AgentError> { brain.choose(now) }
+    "learn" (brain: &mut Agent6, now: &Percept) -> Result<Lesson, AgentError> { brain.learn(now) }
+    "observe" (
+        brain: &mut Agent6, before: &Percept, action: ActionId, after: &Percept,
+    ) -> Result<Lesson, AgentError> { brain.observe(before, action, after) }
+    "harvest" (brain: &mut Agent6) { brain.harvest() }
+    "act" (brain: &mut Agent6, how: Adaptation) -> Result<(), AgentError> { brain.act(how) }
+
+    "maps" (brain: &Agent6, node: NodeId, item: u16) -> Option<f32> {
+        let map = brain.bank().maps().get(usize::from(item))?;
+        let weights = map.context_weight(node, item) + map.result_weight(node, item);
+        Some(weights + f32::from(map.wins(node)) + map.nodes().count() as f32)
+    }
+    "harvest_node" (brain: &Agent6, node: NodeId, coding: ResultCoding, config: &HarvestConfig) -> bool {
+        let [map, ..] = brain.bank().maps();
+        harvest_node::<1, 20, 20, 7, _>(map, node, coding, config).is_some()
+    }
+
+    "knowledge_read" (it: &mut Tables, pattern: PatternId) -> Option<SignedItems<1>> {
+        let found = it.pattern(pattern).or(it.pattern(it.schemas().last()?.context));
+        let some = it.patterns() > 3;
+        it.forget_schemas();
+        found.filter(|_| some)
+    }
+    "knowledge_values" (it: &mut Tables, now: &Percept, items: &SignedItems<1>, config: &ValueConfig) -> f32 {
+        let [first, ..] = it.expected_values::<6>(now, config);
+        it.largest_value(items) + it.reward(now) + first.value
+    }
+    "knowledge_insert" (it: &mut Tables, text: &SchemaText<1>, n: u32) -> Result<SchemaId, TableFull> {
+        it.insert(text, n, n)
+    }
+    "knowledge_record" (
+        it: &mut Tables, before: &Percept, action: ActionId, after: &Percept, forgetting: f32,
+    ) -> Outcome { it.record(before, action, after, forgetting) }
+    "knowledge_text" (it: &Tables, schema: SchemaId) -> Option<SchemaText<1>> { it.text(schema) }
+    "mean_reliability" (it: &Tables) -> f32 { it.mean_reliability(Estimate::Recent) }
+    "inherent_value" (it: &mut Tables, item: ItemId, value: f32) -> Result<f32, InherentValueError> {
+        it.set_inherent_value(item, value)?;
+        Ok(it.inherent_value(item))
+    }
+    "defer_values" (it: &mut Tables, config: &ValueConfig, item: ItemId) -> f32 {
+        it.defer_values(config);
+        it.deferred_value(item)
+    }
+    "improve_values" (it: &mut Tables, count: u16, config: &ValueConfig) {
+        it.improve_values::<6>(count, config)
+    }
+    "settle_values" (it: &mut Tables, sweeps: u16, config: &ValueConfig) {
+        it.settle_values::<6>(sweeps, config)
+    }
+    "prefer" (
+        it: &mut Tables, now: &Percept, rule: ChoiceRule, config: &ValueConfig,
+    ) -> Option<Preference> { it.prefer::<6>(now, rule, config) }
+    "parse" (text: &str, words: &Vocabulary) -> Result<SchemaText<1>, NotationError> {
+        SchemaText::parse(text, words)
+    }
+    "display" (text: &SchemaText<1>, words: &Vocabulary, detail: Detail) -> core::fmt::Result {
+        write!(Nowhere(0), "{}", text.display(words, detail))
+    }
+    "display_errors" (
+        agent: AgentError, config: ConfigError, notation: NotationError, item: ItemOutOfRange,
+    ) -> core::fmt::Result { write!(Nowhere(0), "{agent} {config} {notation} {item}") }
+
+    "vocabulary" (words: &Vocabulary, name: &str, item: ItemId, action: ActionId) -> bool {
+        let known = words.item(name).is_some() || words.action(name).is_some();
+        known && words.item_name(item).len() < words.action_name(action).len()
+    }
+
+    "item_set" (a: &mut Items3, b: &Items3, item: ItemId) -> Result<u16, ItemOutOfRange> {
+        a.insert(item)?;
+        *a = a.union(b).difference(&a.intersection(b)).symmetric_difference(&Items3::first(item.0));
+        a.remove(item);
+        Ok(a.len() + a.iter().count() as u16 + u16::from(a.is_subset(b) ^ a.contains(item)))
+    }
+    "item_states" (it: &mut ItemStates<3>, item: ItemId, state: Option<bool>) -> Option<bool> {
+        it.set(item, state).ok()?;
+        let other = ItemStates::<3>::from_sets(&it.known(), ItemStates::<3>::all_off(item.0).off());
+        other.get(item).or(it.get(ItemId(item.0 / 2))).filter(|_| it.on().is_disjoint(other.on()))
+    }
+    "signed_items" (it: &mut Signed, now: &ItemStates<3>, item: ItemId) -> Option<bool> {
+        it.insert(item, item.0 > 7).ok()?;
+        it.remove(ItemId(item.0 / 2));
+        Some(it.truth(now)? ^ it.follows_from(&Signed::EMPTY) ^ (it.len() > 4))
+    }
+    "base_rates" (it: &mut BaseRates<3>, now: &Items3, rate: f32, items: &Signed) -> Signed {
+        it.observe(now);
+        items.with_negatives_among(&it.at_least(rate))
+    }
+    "reliability" (it: &mut Reliability, success: bool, forgetting: f32) -> f32 {
+        it.record(success, forgetting);
+        it.value(Estimate::Recent) + Reliability::from_counts(1, it.activations()).value(Estimate::Plain)
+    }
+    "simplify" (text: &SchemaText<3>, samples: &[Transition<3>], growth: &GrowthConfig) -> u32 {
+        simplify(text, samples, growth).map(|it| u32::from(it.activations())).fold(0, u32::wrapping_add)
+    }
+    "reservoir" (it: &mut Reservoir<3, 32>, sample: &Transition<3>, rng: &mut Rng) -> usize {
+        it.clear();
+        it.offer(sample, 3, rng);
+        it.samples().len() + usize::from(sample.changed().len())
+    }
+    "simple_schema" (
+        text: &SchemaText<3>, other: &SimpleSchema, now: &Items3, after: &Items3,
+    ) -> Option<SchemaText<3>> {
+        let mut it = SimpleSchema::pack(text)?;
+        it.record(it.applies(now) && it.succeeds(after));
+        (it.says_as(other) ^ it.covers(other) ^ (it.context().count() > 2)).then(|| it.text())
+    }
+    "simple_schemas" (
+        it: &mut SimpleSchemas<100>, new: SimpleSchema, before: &Items3, action: ActionId, after: &Items3,
+    ) -> Entry {
+        it.record(before, action, after, |schema, _| schema.reliability() > 0.5);
+        let entry = it.enter(new);
+        if it.as_slice().len() > 90 {
+            it.clear();
+        }
+        entry
+    }
+    "accommodation" (
+        it: &mut Mind, action: ActionId, sample: &Transition<3>, config: &AccommodationConfig, rng: &mut Rng,
+    ) -> Surprise {
+        if it.schemas().len() > 190 {
+            it.clear();
+        }
+        it.remember(action, sample, rng);
+        it.observe(action, sample, config, rng)
+    }
+    "accommodation_seeded" (
+        it: &mut Mind, action: ActionId, sample: &Transition<3>, config: &AccommodationConfig, rng: &mut Rng,
+    ) -> Surprise { it.observe_seeded(action, sample, [*sample], config, rng) }
+    "explain" (
+        it: &mut Mind, action: ActionId, seed: &Transition<3>, item: ItemId, mode: &Items3, growth: &GrowthConfig,
+    ) -> Option<Entry> { it.explain(action, seed, item, mode, growth) }
+    "plan" (
+        it: &mut Plans, goal: &Signed, on: &Items3, schemas: &[SimpleSchema], config: &PlannerConfig,
+    ) -> Option<ActionId> {
+        it.see(on);
+        it.next_action(goal, on, schemas, config)
+    }
+    "foresee" (
+        it: &mut Plans, goal: &Signed, on: &Items3, schemas: &[SimpleSchema], config: &PlannerConfig,
+    ) -> Option<Items3> {
+        it.begin();
+        it.foresee(goal, on, schemas, config)
+    }
+    "chain_backward" (
+        goal: &Signed, on: &Items3, schemas: &[SimpleSchema], reliable: f32,
+    ) -> Option<ActionId> { chain_backward(goal, on, schemas, reliable) }
+    "attempt" (goal: Signed, on: Items3, limit: u16) -> Progress<3> {
+        let mut attempt = Attempt::begin(goal, on, limit);
+        attempt.count_step();
+        attempt.progress(&on)
+    }
+}
