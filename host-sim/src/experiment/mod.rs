@@ -5,3 +5,4 @@ pub mod calibrate;
 pub mod causal;
 pub mod forage;
 pub mod microworld;
+pub mod recover;

@@ -1,9 +1,10 @@
 //! How a brain lives in a world: the loop of sensing, choosing, acting and learning.
 
-use cla_core::clasm::{AgentError, ItemSet, ItemStates};
-use cla_core::forager::pioneer::{Action, Brain, Item, Percept};
+use cla_core::clasm::AgentError;
+use cla_core::forager::pioneer::{Action, Brain, Item};
 
-use crate::world::{self, World};
+pub use crate::learner::forager::percept;
+use crate::world::World;
 
 /// What came of some actions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -12,20 +13,6 @@ pub struct Tally {
     pub actions: u32,
     /// Specimens obtained.
     pub captures: u32,
-}
-
-/// The world's percept in the words of the forager's brain.
-#[must_use]
-pub fn percept(now: &world::Percept) -> Percept {
-    let narrow = |set: &ItemSet<{ world::WORLD_WORDS }>| {
-        let mut out = ItemSet::EMPTY;
-        for item in set.iter() {
-            // Items beyond the brain's capacity do not exist for it.
-            let _ = out.insert(item);
-        }
-        out
-    };
-    ItemStates::from_sets(&narrow(now.on()), &narrow(now.off()))
 }
 
 /// Lets the body's reflexes run; the brain observes each as the action that it ends with.
