@@ -3,6 +3,7 @@
 pub mod baseline;
 pub mod cli;
 pub mod experiment;
+pub mod learner;
 pub mod options;
 pub mod progress;
 pub mod report;

@@ -224,6 +224,12 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         self.table.record(trace, action, item, config.forgetting);
     }
 
+    /// Lets all that is believed about an action after a trace count for `share` (in `[0, 1]`) of
+    /// what it did: where the world has changed, level 1 decides until there is new evidence.
+    pub fn forget(&mut self, trace: SyntheticId, action: ActionId, share: f32) {
+        self.table.forget(trace, action, share);
+    }
+
     /// After a harvest: follows schemas that moved and drops the items of those that left.
     pub(super) fn follow<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
         &mut self,

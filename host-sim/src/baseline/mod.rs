@@ -1,12 +1,16 @@
-//! Controllers that learn nothing: what a learner has to beat.
+//! Rivals: what a brain has to beat.
 //!
-//! `random` draws any action; `sector` and `lock` are hand-coded visual servos for the Pioneer, the
-//! ones that drove the original simulator in `host-sim/data/stage`.
+//! Controllers that learn nothing: `random` draws any action; `sector` and `lock` are hand-coded
+//! visual servos for the Pioneer, the ones that drove the original simulator in
+//! `host-sim/data/stage`; `told` is a servo that is told what broke.
+//! Learners: `tabular` reinforcement learning, `drescher`'s marginal attribution.
 
 pub mod drescher;
 pub mod lock;
 pub mod random;
 pub mod sector;
+pub mod tabular;
+pub mod told;
 
 use cla_core::num::Rng;
 

@@ -6,3 +6,4 @@ pub mod causal;
 pub mod forage;
 pub mod mcu;
 pub mod microworld;
+pub mod recover;

@@ -4,6 +4,8 @@ pub mod arena;
 pub mod body;
 pub mod camera;
 pub mod config;
+pub mod damage;
+pub mod fault;
 pub mod geometry;
 pub mod launching;
 pub mod layout;
@@ -11,6 +13,8 @@ pub mod microworld;
 pub mod pioneer;
 
 use cla_core::clasm::ItemStates;
+
+use fault::{Fault, Unbreakable};
 
 /// Words of the item sets that worlds report in: up to 128 primitive items.
 pub const WORLD_WORDS: usize = 4;
@@ -44,4 +48,13 @@ pub trait World {
 
     /// Whether nothing is left to do: the world has ended.
     fn finished(&self) -> bool;
+
+    /// Something in the body breaks, and stays broken.
+    ///
+    /// # Errors
+    /// [`Unbreakable`] when the world has no such part, which is the answer of worlds without a
+    /// body, or when it cannot break so; nothing has changed.
+    fn suffer(&mut self, _: &Fault) -> Result<(), Unbreakable> {
+        Err(Unbreakable::no_such_part())
+    }
 }

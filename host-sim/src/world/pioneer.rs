@@ -17,6 +17,7 @@ use super::body::{
 };
 use super::camera::{Blob, Camera, SECTORS};
 use super::config::{AfterCapture, ConfigError, PioneerConfig};
+use super::fault::{Beam, Fault, Faults, Unbreakable};
 use super::geometry::{Point, Pose};
 use super::layout::{Layout, LayoutError, free_place};
 use super::{Percept, World};
@@ -55,6 +56,8 @@ pub const GRIP: usize = 5;
 
 /// The largest turn in one tick, degrees: 180° take 2.3 s in the Stage runs.
 const TICK_DEGREES: f64 = 8.0;
+/// The length of a straight piece in the drive of a robot that pulls to one side, metres.
+const PULL_METRES: f64 = 0.05;
 /// Ticks of standing still after each action, as in the Stage runs; sliding specimens slide on.
 const SETTLING_TICKS: u32 = 3;
 
@@ -112,6 +115,9 @@ pub struct Pioneer {
     captures: u32,
     left: usize,
     bump_reflexes: u32,
+    faults: Faults,
+    /// Whether the gripper has closed since the last action: a blocked beam asks for it once.
+    gripped: bool,
     chance: Rng,
 }
 
@@ -149,6 +155,8 @@ impl Pioneer {
             captures: 0,
             left: layout.specimens.len(),
             bump_reflexes: 0,
+            faults: Faults::NONE,
+            gripped: false,
             chance: Rng::stream(seed, 2),
             config,
         };
@@ -194,10 +202,10 @@ impl Pioneer {
             .reduce(|best, blob| if blob.range < best.range { blob } else { best })
     }
 
-    /// Whether a specimen breaks a beam of the gripper.
+    /// Whether a beam of the gripper reports something: a specimen, or dirt.
     #[must_use]
     pub fn beam_broken(&self) -> bool {
-        self.in_beams().is_some()
+        self.faults.beam == Beam::Blocked || self.in_beams().is_some()
     }
 
     /// How often the bump reflex has run.
@@ -260,36 +268,67 @@ impl Pioneer {
         }
     }
 
-    /// Drives straight until the distance is done, a wall refuses a tick or a beam breaks.
+    /// Drives until the distance is done, a wall refuses a tick or a beam breaks.
+    ///
+    /// Straight, or, when the robot pulls to one side, in short straight pieces with a turn after
+    /// each.
     fn drive(&mut self, metres: f64) {
         let metres = metres * (1.0 + self.config.step_noise * self.normal()).max(0.0);
+        if self.slips() {
+            return;
+        }
+        if self.faults.pull == 0.0 {
+            self.drive_straight(metres);
+            return;
+        }
+        let pieces = libm::ceil(metres.abs() / PULL_METRES).max(1.0);
+        let piece = metres / pieces;
+        let turn = (self.faults.pull * piece / self.config.forward).to_radians();
+        for _ in 0..pieces as u32 {
+            let next = self.robot.turned(turn);
+            if !self.drive_straight(piece) || self.arena.body_hits_wall(&next) {
+                break;
+            }
+            self.robot = self.robot.turned(turn);
+        }
+    }
+
+    /// Whether the wheels spin on the spot this time; draws nothing on wheels that hold.
+    fn slips(&mut self) -> bool {
+        self.faults.slip > 0.0 && self.chance.chance(self.faults.slip as f32)
+    }
+
+    /// Drives straight; whether nothing ended the motion early.
+    fn drive_straight(&mut self, metres: f64) -> bool {
         let ticks = libm::ceil(metres.abs() / TICK_METRES - 1e-9).max(1.0);
         let step = metres / ticks;
         let quiet = !self.arena.anything_moves() && !self.any_specimen(metres, may_be_touched);
         let end = self.robot.ahead(metres);
         if quiet
+            && self.faults.beam == Beam::Works
             && self.arena.far_from_walls(&self.robot)
             && self.arena.far_from_walls(&end)
             && !self.any_specimen(metres, may_break_a_beam)
         {
             // Nothing can happen on the way.
             self.robot = end;
-            return;
+            return true;
         }
         for _ in 0..ticks as u32 {
             let next = self.robot.ahead(step);
             if self.arena.body_hits_wall(&next) {
                 self.bumped = true;
-                break;
+                return false;
             }
             if !quiet {
                 self.arena.tick(&self.robot, step / TICK_SECONDS);
             }
             self.robot = next;
             if self.beam_broken() {
-                break;
+                return false;
             }
         }
+        true
     }
 
     fn any_specimen(&self, metres: f64, concerned: fn(Point, f64) -> bool) -> bool {
@@ -305,6 +344,9 @@ impl Pioneer {
     /// `random` captures almost twice as much as in the Stage runs.
     fn turn(&mut self, degrees: f64) {
         let degrees = degrees + self.config.turn_noise * self.normal();
+        if self.slips() {
+            return;
+        }
         let ticks = libm::ceil(degrees.abs() / TICK_DEGREES).max(1.0);
         let step = (degrees / ticks).to_radians();
         for _ in 0..ticks as u32 {
@@ -374,12 +416,16 @@ impl World for Pioneer {
             return;
         }
         self.bumped = false;
+        self.gripped = false;
+        let gain = self.faults.gain.get(action).copied().unwrap_or(0.0);
         match action {
-            FORWARD => self.drive(self.config.forward),
-            BACKWARD => self.drive(-self.config.backward),
-            TURN_LEFT => self.turn(self.config.turn),
-            TURN_RIGHT => self.turn(-self.config.turn),
-            TURN_AROUND => self.turn(180.0),
+            // A motor without any power does nothing, not even noise.
+            _ if gain == 0.0 => {}
+            FORWARD => self.drive(gain * self.config.forward),
+            BACKWARD => self.drive(-gain * self.config.backward),
+            TURN_LEFT => self.turn(gain * self.config.turn),
+            TURN_RIGHT => self.turn(-gain * self.config.turn),
+            TURN_AROUND => self.turn(gain * 180.0),
             _ => self.grip(),
         }
         self.wait(SETTLING_TICKS);
@@ -390,8 +436,14 @@ impl World for Pioneer {
     ///
     /// After a reflex `bump` is off, even where the robot is so cornered that it could not move.
     fn reflex(&mut self) -> bool {
-        if self.beam_broken() {
+        let blocked = self.faults.beam == Beam::Blocked;
+        if self.beam_broken() && !(blocked && self.gripped) {
+            self.gripped = true;
             self.grip();
+            if blocked && self.bumped {
+                // The bump's reflex is still to come.
+                return true;
+            }
         } else if self.bumped {
             self.bump_reflexes += 1;
             self.drive(-REFLEX_BACK);
@@ -407,6 +459,15 @@ impl World for Pioneer {
 
     fn captures(&self) -> u32 {
         self.captures
+    }
+
+    fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
+        match *fault {
+            Fault::Camera(degrees) => self
+                .set_camera_offset(degrees)
+                .map_err(|error| Unbreakable(error.to_string())),
+            _ => self.faults.add(fault),
+        }
     }
 
     fn finished(&self) -> bool {

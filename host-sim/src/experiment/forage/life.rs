@@ -1,10 +1,11 @@
 //! How a brain lives in a world: the loop of sensing, choosing, acting and learning.
 
-use cla_core::clasm::{ActionId, Agent, ItemSet, ItemStates};
+use cla_core::clasm::{ActionId, Agent};
 use cla_core::forager::pioneer::{Action, Item, Percept};
 
+pub use crate::learner::forager::percept;
 use crate::options::Failure;
-use crate::world::{self, World};
+use crate::world::World;
 
 /// What chooses and learns for a forager's body: a brain here, or one at the end of a wire.
 pub trait Mind {
@@ -32,8 +33,14 @@ pub trait Mind {
     ) -> Result<(), Failure>;
 }
 
-impl<const WIDTH: usize, const HEIGHT: usize, const PATTERNS: usize, const SCHEMAS: usize> Mind
-    for Agent<1, 7, WIDTH, HEIGHT, 6, PATTERNS, SCHEMAS>
+impl<
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const PATTERNS: usize,
+    const SCHEMAS: usize,
+    const SYNTHETIC: usize,
+    const BELIEFS: usize,
+> Mind for Agent<1, 7, WIDTH, HEIGHT, 6, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>
 {
     fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
         Ok(Self::choose(self, now)?.action)
@@ -62,20 +69,6 @@ pub struct Tally {
     pub actions: u32,
     /// Specimens obtained.
     pub captures: u32,
-}
-
-/// The world's percept in the words of the forager's brain.
-#[must_use]
-pub fn percept(now: &world::Percept) -> Percept {
-    let narrow = |set: &ItemSet<{ world::WORLD_WORDS }>| {
-        let mut out = ItemSet::EMPTY;
-        for item in set.iter() {
-            // Items beyond the brain's capacity do not exist for it.
-            let _ = out.insert(item);
-        }
-        out
-    };
-    ItemStates::from_sets(&narrow(now.on()), &narrow(now.off()))
 }
 
 /// Lets the body's reflexes run; the brain observes each as the action that it ends with.

@@ -1,0 +1,439 @@
+//! Tabular reinforcement learning: Q-learning and Sarsa(λ), with or without one step of history.
+//!
+//! The same items, reflexes and actions as the brain has; the reward is 1 when `ingrip` is on after
+//! an action.
+//! A state is the set of items that are on; with one step of history also the set and the action
+//! before.
+//! Sources: Watkins (1989); Rummery and Niranjan (1994); Singh and Sutton (1996) for the traces.
+
+use std::collections::BTreeMap;
+
+use cla_core::clasm::{Escape, ItemId};
+use cla_core::num::Rng;
+
+use crate::learner::{Learner, Thought};
+use crate::options::Failure;
+use crate::world::Percept;
+use crate::world::pioneer::{ACTIONS, INGRIP};
+
+/// By what a state and action are judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The best action of the next state, whatever is done there (Watkins).
+    QLearning,
+    /// The action that is really done next, along eligibility traces.
+    Sarsa(Traces),
+}
+
+/// How a visit marks a state and action for later rewards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Traces {
+    /// It is marked with 1; the other actions of the state lose their marks.
+    Replacing,
+    /// 1 is added.
+    Accumulating,
+}
+
+/// What a state is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum History {
+    /// The present percept.
+    None,
+    /// The present percept, the one before it and the action between them.
+    OneStep,
+}
+
+/// The parameters of a tabular learner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TabularConfig {
+    /// By what a state and action are judged.
+    pub method: Method,
+    /// What a state is.
+    pub history: History,
+    /// Step size, in `(0, 1]`.
+    pub alpha: f64,
+    /// Discount of the future, in `[0, 1)`.
+    pub discount: f64,
+    /// Decay λ of the traces, in `[0, 1]`; Q-learning has none.
+    pub lambda: f64,
+    /// Share of random actions in training.
+    pub explore: f64,
+    /// Share of random actions afterwards.
+    pub explore_acting: f64,
+    /// What an untried action is held to be worth.
+    pub optimism: f64,
+    /// Random actions after a long time without reward, as the brain has them.
+    pub escape: Option<Escape>,
+}
+
+impl TabularConfig {
+    /// The best Sarsa(λ) of the grid in the head of this module.
+    pub const SARSA: Self = Self {
+        method: Method::Sarsa(Traces::Replacing),
+        history: History::None,
+        alpha: 0.1,
+        discount: 0.95,
+        lambda: 0.8,
+        explore: 0.1,
+        explore_acting: 0.02,
+        optimism: 0.5,
+        escape: Some(ESCAPE),
+    };
+
+    /// The best Q-learner of the grid.
+    pub const Q: Self = Self {
+        method: Method::QLearning,
+        history: History::None,
+        alpha: 0.03,
+        discount: 0.9,
+        lambda: 0.0,
+        explore: 0.1,
+        explore_acting: 0.02,
+        optimism: 0.5,
+        escape: Some(ESCAPE),
+    };
+}
+
+/// The brain's own way out of loops.
+const ESCAPE: Escape = Escape {
+    after: 100,
+    burst: 10,
+};
+
+/// A table of action values.
+#[derive(Clone)]
+pub struct Tabular {
+    config: TabularConfig,
+    rows: BTreeMap<u64, [f64; ACTIONS.len()]>,
+    traces: Vec<(u64, usize, f64)>,
+    rng: Rng,
+    acting: bool,
+    /// Percept and action of the last choice.
+    before: Option<(u64, usize)>,
+    /// State, action and reward that wait for what comes next.
+    waiting: Option<(u64, usize, f64)>,
+    chosen: (u64, usize),
+    since_reward: u16,
+    burst: u16,
+}
+
+/// Marks below this are forgotten.
+const FAINT: f64 = 1e-3;
+
+impl Tabular {
+    /// A learner that knows nothing.
+    #[must_use]
+    pub fn new(config: TabularConfig, seed: u64) -> Self {
+        Self {
+            config,
+            rows: BTreeMap::new(),
+            traces: Vec::new(),
+            rng: Rng::stream(seed, 5),
+            acting: false,
+            before: None,
+            waiting: None,
+            chosen: (0, 0),
+            since_reward: 0,
+            burst: 0,
+        }
+    }
+
+    /// The number of states met.
+    #[must_use]
+    pub fn states(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn row(&self, state: u64) -> [f64; ACTIONS.len()] {
+        let untried = [self.config.optimism; ACTIONS.len()];
+        self.rows.get(&state).copied().unwrap_or(untried)
+    }
+
+    fn greedy(&mut self, state: u64) -> usize {
+        let row = self.row(state);
+        let best = row.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let equals = row.iter().filter(|&&value| value == best).count() as u32;
+        let which = self.rng.below(equals.max(1)) as usize;
+        let mut best_ones = (0..ACTIONS.len()).filter(|&action| row[action] == best);
+        best_ones.nth(which).unwrap_or(0)
+    }
+
+    fn pick(&mut self, state: u64) -> usize {
+        if let Some(escape) = self.config.escape.filter(|_| self.acting) {
+            if self.burst == 0 && self.since_reward >= escape.after {
+                self.burst = escape.burst;
+                self.since_reward = 0;
+            }
+            if self.burst > 0 {
+                self.burst -= 1;
+                return self.rng.below(ACTIONS.len() as u32) as usize;
+            }
+        }
+        let share = if self.acting {
+            self.config.explore_acting
+        } else {
+            self.config.explore
+        };
+        if self.rng.chance(share as f32) {
+            self.rng.below(ACTIONS.len() as u32) as usize
+        } else {
+            self.greedy(state)
+        }
+    }
+
+    /// Moves the values of what was done towards `reward` and what the future promises.
+    fn improve(&mut self, (state, action, reward): (u64, usize, f64), future: f64) {
+        let TabularConfig {
+            alpha,
+            discount,
+            lambda,
+            ..
+        } = self.config;
+        let error = reward + discount * future - self.row(state)[action];
+        let untried = [self.config.optimism; ACTIONS.len()];
+        let Method::Sarsa(traces) = self.config.method else {
+            self.rows.entry(state).or_insert(untried)[action] += alpha * error;
+            return;
+        };
+        let here = (state, action);
+        match traces {
+            Traces::Replacing => {
+                self.traces.retain(|&(other, ..)| other != state);
+                self.traces.push((state, action, 1.0));
+            }
+            Traces::Accumulating => match self.traces.iter_mut().find(|t| (t.0, t.1) == here) {
+                Some(mark) => mark.2 += 1.0,
+                None => self.traces.push((state, action, 1.0)),
+            },
+        }
+        for (state, action, mark) in &mut self.traces {
+            self.rows.entry(*state).or_insert(untried)[*action] += alpha * error * *mark;
+            *mark *= discount * lambda;
+        }
+        self.traces.retain(|&(_, _, mark)| mark > FAINT);
+    }
+}
+
+/// The items that are on as the bits of a number; items beyond the fifteenth do not exist here.
+fn bits(percept: &Percept) -> u64 {
+    percept
+        .on()
+        .iter()
+        .filter(|item| item.0 < 15)
+        .fold(0, |bits, item| bits | 1 << item.0)
+}
+
+impl Learner for Tabular {
+    fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
+        let seen = bits(now);
+        let state = match (self.config.history, self.before) {
+            (History::OneStep, Some((before, action))) => {
+                seen | before << 16 | (action as u64 + 1) << 32
+            }
+            _ => seen,
+        };
+        let action = self.pick(state);
+        if let Some(waiting) = self.waiting.take() {
+            let row = self.row(state);
+            let future = match self.config.method {
+                Method::QLearning => row.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                Method::Sarsa(_) => row[action],
+            };
+            self.improve(waiting, future);
+        }
+        self.before = Some((seen, action));
+        self.chosen = (state, action);
+        Ok(action)
+    }
+
+    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
+        let captured = now.get(ItemId(INGRIP)) == Some(true);
+        let reward = f64::from(u8::from(captured));
+        self.waiting = Some((self.chosen.0, self.chosen.1, reward));
+        self.since_reward = if captured {
+            0
+        } else {
+            self.since_reward.saturating_add(1)
+        };
+        Ok(())
+    }
+
+    /// What follows an action is what is there after its reflexes: they teach nothing of their own.
+    fn observe(&mut self, _: &Percept, _: usize, _: &Percept) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn act(&mut self) -> Result<(), Failure> {
+        self.acting = true;
+        self.since_reward = 0;
+        Ok(())
+    }
+
+    fn reason(&self) -> Thought {
+        let (state, action) = self.chosen;
+        Thought {
+            schema: format!("{} of state {state}", ACTIONS[action]),
+            value: self.row(state)[action] as f32,
+            alarmed: false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{History, Method, Tabular, TabularConfig, Traces};
+    use crate::learner::{Learner, live};
+    use crate::world::pioneer::{ACTIONS, BACKWARD, FORWARD, INGRIP, ITEMS};
+    use crate::world::{Percept, World};
+    use cla_core::clasm::ItemId;
+
+    /// Five places in a row; forward from the last but one brings the reward, backward leads back.
+    struct Corridor {
+        place: u16,
+        captures: u32,
+        /// Whether the two places before the reward look alike.
+        alike: bool,
+        ends: u32,
+    }
+
+    impl World for Corridor {
+        fn items(&self) -> &'static [&'static str] {
+            &ITEMS
+        }
+
+        fn actions(&self) -> &'static [&'static str] {
+            &ACTIONS
+        }
+
+        fn sense(&self) -> Percept {
+            let mut percept = Percept::all_off(7);
+            let look = if self.alike && self.place == 3 {
+                2
+            } else {
+                self.place
+            };
+            let item = if self.place == 4 { INGRIP } else { look };
+            percept.set(ItemId(item), Some(true)).unwrap();
+            percept
+        }
+
+        fn act(&mut self, action: usize) {
+            match action {
+                FORWARD => self.place += 1,
+                BACKWARD => self.place = self.place.saturating_sub(1),
+                // Anything else is a step too far.
+                _ => self.place = 0,
+            }
+        }
+
+        fn reflex(&mut self) -> bool {
+            let there = self.place == 4;
+            if there {
+                self.captures += 1;
+                self.place = 0;
+            }
+            there
+        }
+
+        fn captures(&self) -> u32 {
+            self.captures
+        }
+
+        fn finished(&self) -> bool {
+            self.captures >= self.ends
+        }
+    }
+
+    const fn corridor(alike: bool) -> Corridor {
+        Corridor {
+            place: 0,
+            captures: 0,
+            alike,
+            ends: u32::MAX,
+        }
+    }
+
+    const METHODS: [Method; 3] = [
+        Method::QLearning,
+        Method::Sarsa(Traces::Replacing),
+        Method::Sarsa(Traces::Accumulating),
+    ];
+
+    fn learner(method: Method, history: History) -> Tabular {
+        let config = TabularConfig {
+            method,
+            history,
+            explore_acting: 0.0,
+            ..TabularConfig::SARSA
+        };
+        Tabular::new(config, 3)
+    }
+
+    #[test]
+    fn every_method_learns_the_way_through_a_corridor() {
+        for method in METHODS {
+            for history in [History::None, History::OneStep] {
+                let mut learner = learner(method, history);
+                live(&mut learner, &mut corridor(false), 10_000).unwrap();
+                learner.act().unwrap();
+                let captures: u32 = live(&mut learner, &mut corridor(false), 400)
+                    .unwrap()
+                    .iter()
+                    .sum();
+                assert!(
+                    (95..=100).contains(&captures),
+                    "{method:?} {history:?} {captures}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn traces_carry_a_reward_back_further_than_one_step_learning_does() {
+        let valued = |method| {
+            let mut config = TabularConfig::SARSA;
+            (config.method, config.optimism) = (method, 0.0);
+            let mut learner = Tabular::new(config, 3);
+            let mut world = corridor(false);
+            world.ends = 1;
+            live(&mut learner, &mut world, 100_000).unwrap();
+            // The reward is judged when the next choice is made.
+            learner.choose(&world.sense()).unwrap();
+            let values = learner.rows.values().flatten();
+            values.filter(|&&value| value > 0.0).count()
+        };
+        assert_eq!(valued(Method::QLearning), 1);
+        assert!(valued(Method::Sarsa(Traces::Replacing)) > 2);
+    }
+
+    #[test]
+    fn one_step_of_history_tells_apart_what_looks_alike() {
+        let states = |history| {
+            let mut learner = learner(Method::QLearning, history);
+            live(&mut learner, &mut corridor(true), 5_000).unwrap();
+            learner.states()
+        };
+        assert!(states(History::None) <= 4 && states(History::OneStep) > 10);
+    }
+
+    #[test]
+    fn a_world_that_ends_early_ends_the_life_and_what_was_learned_stays() {
+        let mut learner = learner(Method::QLearning, History::None);
+        let mut world = corridor(false);
+        world.ends = 3;
+        let captures = live(&mut learner, &mut world, 100_000).unwrap();
+        assert_eq!(captures.iter().sum::<u32>(), 3);
+        assert!(captures.len() < 4000 && learner.states() == 4);
+    }
+
+    #[test]
+    fn what_is_unknown_is_not_on() {
+        let mut learner = learner(Method::QLearning, History::None);
+        for state in [Percept::UNKNOWN, Percept::all_off(7)] {
+            learner.choose(&state).unwrap();
+            learner.learn(&state).unwrap();
+        }
+        learner.choose(&Percept::UNKNOWN).unwrap();
+        assert_eq!(learner.states(), 1);
+    }
+}

@@ -1,0 +1,164 @@
+//! One life of one learner with one damage: childhood, undamaged actions, damaged actions.
+//!
+//! Everything that learns lives the same protocol in the same worlds; only the learner differs.
+
+use cla_core::num::Rng;
+
+use crate::learner::{Learner, STRIDE, Watch, live, watched};
+use crate::options::{Failure, WorldOptions};
+use crate::world::damage::{Damage, Damaged};
+use crate::world::pioneer::Pioneer;
+
+/// How long each part of a life is, in actions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Protocol {
+    /// Childhood (book: 10,000).
+    pub training: u32,
+    /// Acting undamaged, which says what a whole robot collects (book: 3000).
+    pub before: u32,
+    /// Acting damaged.
+    pub after: u32,
+}
+
+impl Protocol {
+    /// The protocol of the committed results.
+    pub const STANDARD: Self = Self {
+        training: 10_000,
+        before: 3_000,
+        after: 13_000,
+    };
+}
+
+/// The captures of each [`STRIDE`] of a life's later parts.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Course {
+    /// Undamaged.
+    pub before: Vec<u32>,
+    /// Damaged.
+    pub after: Vec<u32>,
+}
+
+/// Actions over which a rate of captures is averaged.
+const WINDOW: u32 = 1000;
+
+impl Course {
+    /// Captures in 1000 undamaged actions.
+    #[must_use]
+    pub fn rate_before(&self) -> f64 {
+        let actions = self.before.len() as f64 * f64::from(STRIDE);
+        f64::from(self.before.iter().sum::<u32>()) / actions * f64::from(WINDOW)
+    }
+
+    /// Captures in the damaged actions from `from` to `to`, in thousands; NaN when the life was
+    /// shorter.
+    #[must_use]
+    pub fn captures(&self, from: u32, to: u32) -> f64 {
+        let at = |thousands: u32| (thousands * WINDOW / STRIDE) as usize;
+        let part = self.after.get(at(from)..at(to));
+        part.map_or(f64::NAN, |part| f64::from(part.iter().sum::<u32>()))
+    }
+
+    /// Captures in the damaged actions from `from` to `to` over what the whole robot collects in as
+    /// many.
+    #[must_use]
+    pub fn share(&self, from: u32, to: u32) -> f64 {
+        self.captures(from, to) / (self.rate_before() * f64::from(to - from))
+    }
+
+    /// Damaged actions until the last thousand of them brought `share` of what a whole robot
+    /// collects in a thousand; at least 1000, NaN when they never did.
+    #[must_use]
+    pub fn actions_to(&self, share: f64) -> f64 {
+        let aim = share * self.rate_before();
+        let strides = (WINDOW / STRIDE) as usize;
+        let found = self
+            .after
+            .windows(strides)
+            .position(|window| f64::from(window.iter().sum::<u32>()) >= aim);
+        found.map_or(f64::NAN, |start| {
+            f64::from((start + strides) as u32 * STRIDE)
+        })
+    }
+}
+
+/// The childhood of a learner: trained in the world of its seed, and ready to act.
+///
+/// # Errors
+/// [`Failure`] when the world cannot be built or the learner cannot learn.
+pub fn raise(
+    learner: &mut dyn Learner,
+    world: &WorldOptions,
+    protocol: &Protocol,
+    seed: u64,
+) -> Result<(), Failure> {
+    live(learner, &mut world.build(seed)?, protocol.training)?;
+    learner.act()
+}
+
+/// The world in which a seed's learners act; nobody has lived in it.
+///
+/// # Errors
+/// [`Failure`] when it cannot be built.
+pub fn fresh(world: &WorldOptions, seed: u64) -> Result<Pioneer, Failure> {
+    // Far from every seed that a person names, so that no test repeats a training world.
+    Ok(world.build(Rng::stream(seed, 1).next_seed())?)
+}
+
+/// Lives the later parts; the damage comes between them, and only who listens is told.
+///
+/// # Errors
+/// [`Failure`] when the world cannot be built or damaged so, or the learner cannot go on.
+pub fn course(
+    learner: &mut dyn Learner,
+    world: &WorldOptions,
+    protocol: &Protocol,
+    damage: Damage,
+    seed: u64,
+) -> Result<Course, Failure> {
+    let mut world = fresh(world, seed)?;
+    let before = live(learner, &mut world, protocol.before)?;
+    let mut world = Damaged::new(world, damage, seed)?;
+    learner.hear(&damage);
+    let after = live(learner, &mut world, protocol.after)?;
+    Ok(Course { before, after })
+}
+
+/// As [`course`], and somebody watches.
+///
+/// # Errors
+/// As [`course`].
+pub fn watched_course(
+    learner: &mut dyn Learner,
+    world: &WorldOptions,
+    protocol: &Protocol,
+    damage: Damage,
+    seed: u64,
+    watch: Watch<'_, Damaged<Pioneer>>,
+) -> Result<Course, Failure> {
+    let mut world = Damaged::new(fresh(world, seed)?, Damage::None, seed)?;
+    let before = watched(learner, &mut world, protocol.before, watch)?;
+    let mut world = Damaged::new(world.into_world(), damage, seed)?;
+    learner.hear(&damage);
+    let after = watched(learner, &mut world, protocol.after, watch)?;
+    Ok(Course { before, after })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Course;
+
+    #[test]
+    fn a_course_is_read_in_thousands_and_recovery_needs_a_whole_one() {
+        let course = Course {
+            before: vec![2; 120],
+            after: [vec![0; 40], vec![1; 40], vec![2; 40]].concat(),
+        };
+        assert_eq!(course.rate_before(), 80.0);
+        assert_eq!(course.captures(0, 3), 120.0);
+        assert_eq!(course.share(0, 3), 0.5);
+        assert!(course.captures(3, 6).is_nan());
+        // 72 of 80 in a thousand: 32 strides of 2 and 8 of 1.
+        assert_eq!(course.actions_to(0.9), 2800.0);
+        assert!(course.actions_to(1.1).is_nan());
+    }
+}

@@ -1,0 +1,117 @@
+//! The brain of `cla-core` as a [`Learner`]: percepts in its words, reasons in the book's notation.
+
+use cla_core::clasm::{
+    ActionId, Adaptation, AgentConfig, Choice, Detail, ItemSet, ItemStates, Reason,
+};
+use cla_core::forager::pioneer::{self, Brain, VOCABULARY};
+
+use super::{Learner, Thought};
+use crate::options::Failure;
+use crate::world;
+
+/// The world's percept in the words of the forager's brain.
+#[must_use]
+pub fn percept(now: &world::Percept) -> pioneer::Percept {
+    let narrow = |set: &ItemSet<{ world::WORLD_WORDS }>| {
+        let mut out = ItemSet::EMPTY;
+        for item in set.iter() {
+            // Items beyond the brain's capacity do not exist for it.
+            let _ = out.insert(item);
+        }
+        out
+    };
+    ItemStates::from_sets(&narrow(now.on()), &narrow(now.off()))
+}
+
+/// A forager with level 1, and how it adapts when it acts.
+#[derive(Clone)]
+pub struct Forager {
+    brain: Box<Brain>,
+    adaptation: Adaptation,
+    last: Option<Choice>,
+}
+
+impl Forager {
+    /// A newborn forager.
+    ///
+    /// # Errors
+    /// When the configuration cannot work.
+    pub fn born(config: AgentConfig, adaptation: Adaptation, seed: u64) -> Result<Self, Failure> {
+        let mut brain = Box::new(pioneer::brain());
+        pioneer::be_born(&mut brain, config, seed)?;
+        Ok(Self {
+            brain,
+            adaptation,
+            last: None,
+        })
+    }
+
+    /// The same forager with the same past, which will adapt in another way.
+    #[must_use]
+    pub fn adapting(&self, adaptation: Adaptation) -> Self {
+        Self {
+            adaptation,
+            ..self.clone()
+        }
+    }
+
+    /// The brain.
+    #[must_use]
+    pub fn brain(&self) -> &Brain {
+        &self.brain
+    }
+
+    /// The brain, to change what is not learned.
+    pub fn brain_mut(&mut self) -> &mut Brain {
+        &mut self.brain
+    }
+}
+
+impl Learner for Forager {
+    fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
+        let choice = self.brain.choose(&percept(now))?;
+        self.last = Some(choice);
+        Ok(usize::from(choice.action.0))
+    }
+
+    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
+        self.brain.learn(&percept(now))?;
+        Ok(())
+    }
+
+    fn observe(
+        &mut self,
+        before: &world::Percept,
+        action: usize,
+        after: &world::Percept,
+    ) -> Result<(), Failure> {
+        let action = ActionId(action as u16);
+        self.brain
+            .observe(&percept(before), action, &percept(after))?;
+        Ok(())
+    }
+
+    fn act(&mut self) -> Result<(), Failure> {
+        self.brain.act(self.adaptation)?;
+        Ok(())
+    }
+
+    fn reason(&self) -> Thought {
+        let Some(choice) = self.last else {
+            return Thought::default();
+        };
+        let knowledge = self.brain.knowledge();
+        let schema = choice.schema.and_then(|schema| knowledge.text(schema));
+        let schema = match (schema, choice.reason) {
+            (Some(text), _) => text.display(&VOCABULARY, Detail::Abbreviated).to_string(),
+            (None, Reason::Exploration) => "exploring".to_owned(),
+            (None, Reason::Escape) => "escaping from a loop".to_owned(),
+            (None, _) => "nothing applies".to_owned(),
+        };
+        Thought {
+            schema,
+            value: choice.value,
+            alarmed: false,
+        }
+    }
+}

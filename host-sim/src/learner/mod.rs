@@ -1,0 +1,125 @@
+//! What learns by doing, whatever it is made of: one trait for the brain and for its rivals.
+//!
+//! A [`Learner`] sees percepts and says actions; [`live`] is its life in a world, in which reflexes
+//! run by themselves and are shown to it.
+//! To enter a new learner into an experiment is to write one struct.
+
+pub mod controller;
+pub mod forager;
+
+use crate::options::Failure;
+use crate::world::damage::Damage;
+use crate::world::pioneer::{GRIP, INGRIP, TURN_AROUND};
+use crate::world::{Percept, World};
+use cla_core::clasm::ItemId;
+
+/// Something that chooses actions and learns from what they lead to.
+pub trait Learner {
+    /// The index of the next action; reflexes have run, so `now` is what it will be done in.
+    ///
+    /// # Errors
+    /// Whatever keeps it from choosing.
+    fn choose(&mut self, now: &Percept) -> Result<usize, Failure>;
+
+    /// The action that was chosen last has led to `now`; reflexes have not run yet.
+    ///
+    /// # Errors
+    /// Whatever keeps it from learning.
+    fn learn(&mut self, now: &Percept) -> Result<(), Failure>;
+
+    /// A reflex, which ends as the action with this index would, has led from `before` to `after`.
+    ///
+    /// # Errors
+    /// Whatever keeps it from learning.
+    fn observe(&mut self, before: &Percept, action: usize, after: &Percept) -> Result<(), Failure>;
+
+    /// Training is over: from now on it acts as well as it can, and adapts in its own way.
+    ///
+    /// # Errors
+    /// Whatever keeps it from acting.
+    fn act(&mut self) -> Result<(), Failure>;
+
+    /// Is told what broke; whoever learns does not listen.
+    fn hear(&mut self, _: &Damage) {}
+
+    /// Why the last choice was made, for people.
+    fn reason(&self) -> Thought {
+        Thought::default()
+    }
+}
+
+/// The reason of a choice in words and in number.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Thought {
+    /// The schema that spoke for it in the book's notation, or why none did.
+    pub schema: String,
+    /// What it was worth; 0 when nothing was compared.
+    pub value: f32,
+    /// Whether it suspects that the world has changed.
+    pub alarmed: bool,
+}
+
+/// What can be watched after every action.
+pub type Watch<'a, W> = &'a mut dyn FnMut(&dyn Learner, &W);
+
+/// Actions between two looks at the count of captures.
+pub const STRIDE: u32 = 25;
+
+/// Lets a learner do up to `actions` actions; returns the captures of each [`STRIDE`] of them.
+///
+/// Reflexes run in between and are not counted; a rest that is shorter counts like a whole stride.
+/// A world that ends early ends the life: the strides that did not begin are not there.
+///
+/// # Errors
+/// Those of the learner; what it has learned until then stays.
+pub fn live<W: World>(
+    learner: &mut dyn Learner,
+    world: &mut W,
+    actions: u32,
+) -> Result<Vec<u32>, Failure> {
+    watched(learner, world, actions, &mut |_, _| {})
+}
+
+/// As [`live`]; `watch` sees learner and world after each choice, before it is done.
+///
+/// # Errors
+/// Those of the learner.
+pub fn watched<W: World>(
+    learner: &mut dyn Learner,
+    world: &mut W,
+    actions: u32,
+    watch: Watch<'_, W>,
+) -> Result<Vec<u32>, Failure> {
+    let mut captures = Vec::new();
+    let mut before = world.captures();
+    for done in 0..actions {
+        if world.finished() {
+            break;
+        }
+        if done % STRIDE == 0 {
+            captures.push(0);
+        }
+        let action = learner.choose(&world.sense())?;
+        watch(learner, world);
+        world.act(action);
+        learner.learn(&world.sense())?;
+        feel_reflexes(learner, world)?;
+        if let Some(stride) = captures.last_mut() {
+            *stride += world.captures() - before;
+        }
+        before = world.captures();
+    }
+    Ok(captures)
+}
+
+fn feel_reflexes<W: World>(learner: &mut dyn Learner, world: &mut W) -> Result<(), Failure> {
+    loop {
+        let before = world.sense();
+        if !world.reflex() {
+            return Ok(());
+        }
+        let gripped = before.get(ItemId(INGRIP)) == Some(true);
+        let action = if gripped { GRIP } else { TURN_AROUND };
+        learner.observe(&before, action, &world.sense())?;
+    }
+}
