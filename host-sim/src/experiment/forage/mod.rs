@@ -1,11 +1,12 @@
 //! Foraging: a Pioneer learns to collect specimens from one valued item (book, 6.2).
 //!
 //! `life` is the loop of brain and world, `trial` one seed of the experiment, `measure` what a
-//! knowledge base says about the book's schemas, `claims` what is concluded from all seeds.
+//! knowledge base says about the book's schemas, `second` the second level on trial, `claims` what is concluded from all seeds.
 
 mod claims;
 pub mod life;
 pub mod measure;
+pub mod second;
 pub mod trial;
 
 use cla_core::clasm::AgentConfig;

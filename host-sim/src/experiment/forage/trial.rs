@@ -11,6 +11,7 @@ use cla_core::num::Rng;
 
 use super::life::live;
 use super::measure::{Record, promises, record_of};
+use super::second::{self, Insight, LARGE, Pair};
 use super::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
 use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
@@ -64,6 +65,14 @@ pub struct Trial {
     pub noise_free: Captures,
     /// As `noise_free`, for the Stage controller.
     pub noise_free_sector: Captures,
+    /// After as many actions again, with and without the second level.
+    pub second: Pair,
+    /// What the second level of that brain was like.
+    pub insight: Insight,
+    /// As `second`, without noise.
+    pub second_noise_free: Pair,
+    /// As `second`, in the large room.
+    pub second_large: Pair,
     /// Deferred values of s1 to s5 after training.
     pub deferred: [f64; 5],
     /// What the trained brain knows of each of [`BOOK_SCHEMAS`].
@@ -79,8 +88,8 @@ pub struct Trial {
 /// How many actions one seed takes, for the progress bar.
 #[must_use]
 pub fn work(options: &ForageOptions) -> u64 {
-    let tests = u64::from(options.actions / SNAPSHOT + 1) + 7;
-    u64::from(options.actions) * 4 + tests * 2 * u64::from(options.test_actions)
+    let tests = u64::from(options.actions / SNAPSHOT + 1) + 7 + 6;
+    u64::from(options.actions) * 11 + tests * 2 * u64::from(options.test_actions)
 }
 
 /// Runs one seed.
@@ -110,6 +119,7 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
             snapshots.push(bench.test(&brain, &options.world)?);
         }
     }
+    let (second, insight) = second::compare(&bench, &brain, &options.world)?;
     brain.harvest();
     brain.knowledge_mut().defer_values(&options.brain.values);
     let knowledge = brain.knowledge();
@@ -135,8 +145,22 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
     let all_by_the_book = bench.trained(AgentConfig::BOOK, &options.world)?;
     let by_the_book = bench.trained(book, &options.world)?;
     let in_the_quiet = bench.trained(options.brain, &quiet)?;
+    let large = WorldOptions {
+        config: PioneerConfig {
+            radius: LARGE,
+            ..options.world.config
+        },
+        layout: None,
+    };
+    let (second_noise_free, _) = second::compare(&bench, &in_the_quiet, &quiet)?;
+    let in_the_large = bench.trained(options.brain, &large)?;
+    let (second_large, _) = second::compare(&bench, &in_the_large, &large)?;
     Ok(Trial {
         snapshots,
+        second,
+        insight,
+        second_noise_free,
+        second_large,
         first_ingrip,
         training_captures,
         book: bench.test(&all_by_the_book, &options.world)?,
@@ -202,10 +226,10 @@ fn found(brain: &Brain) -> Vec<Found> {
 }
 
 /// What every test of one seed shares.
-struct Bench<'a> {
-    options: &'a ForageOptions,
-    seed: u64,
-    ticker: &'a Ticker,
+pub(super) struct Bench<'a> {
+    pub(super) options: &'a ForageOptions,
+    pub(super) seed: u64,
+    pub(super) ticker: &'a Ticker,
 }
 
 impl Bench<'_> {
@@ -228,7 +252,7 @@ impl Bench<'_> {
     }
 
     /// Tests a copy of a brain: greedy, with reliabilities that go on adapting.
-    fn test(&self, brain: &Brain, world: &WorldOptions) -> Result<Captures, Failure> {
+    pub(super) fn test(&self, brain: &Brain, world: &WorldOptions) -> Result<Captures, Failure> {
         let count = |after_capture| -> Result<u32, Failure> {
             let mut copy = Box::new(brain.clone());
             copy.act(Adaptation::Reliabilities)?;

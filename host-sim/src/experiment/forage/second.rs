@@ -1,0 +1,119 @@
+//! The second level on trial: the same childhood, then as long again with and without it (6.2.4).
+//!
+//! Both brains begin as copies of the trained one and go on in the same world, with the same share
+//! of greedy actions; they differ in nothing but the level.
+
+use cla_core::clasm::{AgentConfig, Estimate, Level2Config};
+use cla_core::forager::pioneer::Brain;
+use cla_core::num::Rng;
+
+use super::life::live;
+use super::trial::{Bench, Captures};
+use crate::options::{Failure, WorldOptions};
+
+/// Radius of the large room, metres: specimens are rarer there.
+pub const LARGE: f64 = 12.0;
+
+/// What two brains of the same childhood collect.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pair {
+    /// Level 1 alone.
+    pub level1: Captures,
+    /// With the second level.
+    pub level2: Captures,
+}
+
+/// What is known of the second level of one brain.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Insight {
+    /// Share of the predictions in the second half of training that came true: said before.
+    pub prospective: f64,
+    /// Mean reliability of its schemas in the book's way: labelled in hindsight.
+    pub hindsight: f64,
+    /// Synthetic items.
+    pub items: f64,
+    /// Counters of beliefs.
+    pub beliefs: f64,
+}
+
+/// Trains a brain as long again, once with level 1 alone and once with both, and tests them.
+///
+/// # Errors
+/// [`Failure`] when a world cannot be built or a brain cannot go on.
+pub(super) fn compare(
+    bench: &Bench<'_>,
+    young: &Brain,
+    world: &WorldOptions,
+) -> Result<(Pair, Insight), Failure> {
+    let with = AgentConfig {
+        greedy_share: AgentConfig::FORAGER_LEVEL2.greedy_share,
+        level2: Some(Level2Config::FORAGER),
+        ..bench.options.brain
+    };
+    let without = AgentConfig {
+        level2: None,
+        ..with
+    };
+    let level1 = grown(bench, young, without, world)?;
+    let level2 = grown(bench, young, with, world)?;
+    let second = level2.second_level();
+    let insight = Insight {
+        prospective: f64::from(second.predictions().value(Estimate::Plain)),
+        hindsight: hindsight_reliability(&level2),
+        items: f64::from(second.items()),
+        beliefs: second.beliefs().len() as f64,
+    };
+    let pair = Pair {
+        level1: bench.test(&level1, world)?,
+        level2: bench.test(&level2, world)?,
+    };
+    Ok((pair, insight))
+}
+
+/// A copy of a trained brain after as many actions again under another configuration.
+fn grown(
+    bench: &Bench<'_>,
+    young: &Brain,
+    config: AgentConfig,
+    world: &WorldOptions,
+) -> Result<Box<Brain>, Failure> {
+    let mut brain = Box::new(young.clone());
+    brain.reconfigure(config)?;
+    let mut world = world.build(Rng::stream(bench.seed, 4).next_seed())?;
+    live(&mut *brain, &mut world, bench.options.actions)?;
+    bench.ticker.advance(u64::from(bench.options.actions));
+    Ok(brain)
+}
+
+/// Evidence from which on an item may stand in a schema's result.
+const EVIDENCE: f32 = 5.0;
+/// The book's threshold of a harvested item (5.3.1).
+const ON: f32 = 0.9;
+
+/// The mean reliability of the level-2 schemas as the book counts it.
+///
+/// A level-2 schema says: in the state in which a schema would succeed, doing its action brings its
+/// result and the synthetic items that were on afterwards in nine of ten cases.
+/// Its own item is in the context, labelled in hindsight, so its primitive result comes by
+/// definition; what can fail are the synthetic items of the result.
+fn hindsight_reliability(brain: &Brain) -> f64 {
+    let (second, knowledge) = (brain.second_level(), brain.knowledge());
+    let (mut sum, mut schemas) = (0.0, 0_u32);
+    for schema in knowledge.schemas() {
+        let Some(trace) = schema.synthetic.filter(|&item| second.uses(item) > 0.0) else {
+            continue;
+        };
+        let mut reliability = 1.0_f64;
+        for belief in second.beliefs().iter().filter(|it| it.trace == trace) {
+            let item = second.schema(belief.item);
+            let action = item.and_then(|id| knowledge.schemas().get(usize::from(id.0)));
+            let tried = action.map_or(0.0, |it| second.tried(trace, it.action));
+            if tried >= EVIDENCE && belief.on > ON * tried {
+                reliability = reliability.min(f64::from(belief.on / tried));
+            }
+        }
+        sum += reliability;
+        schemas += 1;
+    }
+    sum / f64::from(schemas.max(1))
+}
