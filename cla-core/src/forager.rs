@@ -13,7 +13,7 @@ crate::brain! {
         schemas: 1024,
         synthetic: 384,
         beliefs: 3072,
-        ram: 252_000,
+        ram: 257_000,
     }
 }
 

@@ -16,7 +16,7 @@ use super::item::ItemStates;
 use super::knowledge::{KnowledgeBase, Outcome};
 use super::sample::Sample;
 use super::schema::SchemaId;
-use super::second_level::{Fallback, Level2Config, SecondLevel};
+use super::second_level::{Fallback, SecondLevel};
 use crate::num::Rng;
 
 /// What an agent is doing with its life.
@@ -338,9 +338,7 @@ impl<
             self.knowledge
                 .record(before, action, after, config.forgetting)
         };
-        if let Some(level2) = &config.level2 {
-            self.follow_trace(before, action, after, lesson.outcome.schema, level2, frozen);
-        }
+        self.follow_trace(before, action, after, lesson.outcome.schema, &config);
         if frozen {
             return Ok(lesson);
         }
@@ -508,9 +506,10 @@ impl<
         action: ActionId,
         after: &ItemStates<WORDS>,
         succeeded: Option<SchemaId>,
-        config: &Level2Config,
-        frozen: bool,
+        config: &AgentConfig,
     ) {
+        let Some(level2) = &config.level2 else { return };
+        let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
         let trace = self.trace_in(before);
         let item = succeeded.and_then(|schema| {
             if frozen {
@@ -522,8 +521,11 @@ impl<
                 self.level2.reify(&mut self.knowledge, schema)
             }
         });
-        if let (Some(trace), Some(_), false) = (trace, item, frozen) {
-            self.level2.record(trace, action, item, config);
+        if let (Some(trace), Some(to), false) = (trace, item, frozen) {
+            let reward = self.knowledge.reward(after);
+            let discount = config.values.discount;
+            self.level2.experience(trace, to, reward, discount, level2);
+            self.level2.record(trace, action, item, level2);
         }
         self.trace = item;
         self.arrived = *after;

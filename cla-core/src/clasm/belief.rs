@@ -42,6 +42,12 @@ pub(super) struct Row<const ACTIONS: usize> {
     pub(super) action: ActionId,
     /// What being in the state after its success is worth.
     pub(super) value: f32,
+    /// The discounted reward that has really followed, on average.
+    pub(super) experienced: f32,
+    /// How often its schema has succeeded.
+    pub(super) visits: f32,
+    /// How much a surprise now still concerns it; it fades with time.
+    pub(super) eligibility: f32,
     /// How often each action was done right after its success; older times weigh less.
     pub(super) tried: [f32; ACTIONS],
 }
@@ -111,6 +117,9 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
             schema: Some(schema),
             action,
             value,
+            experienced: value,
+            visits: 0.0,
+            eligibility: 0.0,
             tried: [0.0; ACTIONS],
         };
         if self.rows.push(row).is_ok() {

@@ -147,9 +147,10 @@ impl AgentConfig {
     };
 
     /// The forager with both levels: the second needs to see where the robot's own ways lead, so
-    /// training is mostly greedy.
+    /// nine actions of ten are greedy, and every tenth tries something else on the way.
     pub const FORAGER_LEVEL2: Self = Self {
-        greedy_share: 0.8,
+        greedy_share: 0.9,
+        training_run: 1,
         level2: Some(Level2Config::FORAGER),
         ..Self::FORAGER
     };

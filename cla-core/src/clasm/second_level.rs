@@ -3,7 +3,8 @@
 //! Level 1 asks how often a schema succeeds where its context holds; level 2 asks how often it does
 //! so right after another schema has succeeded (book, 5.1.1 and 6.2.6), and falls back on level 1
 //! as far as experience is missing: p = (on + κ · reliability) / (tried + κ).
-//! The state is then the schema that has succeeded last, and values are those of such states.
+//! The state is then the schema that has succeeded last; its value is half what the beliefs promise
+//! and half what has really followed it.
 
 use super::action::ActionId;
 use super::belief::{Belief, BeliefLosses, BeliefTable, SyntheticId, uses};
@@ -24,6 +25,16 @@ use super::value::{Appraisal, ValueConfig, state_of};
 pub struct Level2Config {
     /// κ: how many verified occasions the reliability of level 1 counts for; above 0.
     pub prior: f32,
+    /// Share of a state's value that comes from the rewards that really followed it, in `[0, 1]`;
+    /// the rest is what the beliefs promise.
+    ///
+    /// Beliefs that remember one schema still mistake some states for others, and a plan may
+    /// exploit the mistake; experience does not.
+    pub experience: f32,
+    /// λ: how far back a reward is felt, in `[0, 1]`.
+    pub lambda: f32,
+    /// The least weight of a new reward, in `[0, 1]`.
+    pub learning_rate: f32,
     /// The least weight of a new occasion, in `[0, 1)`: about 1 / `forgetting` of them count;
     /// 0 never forgets.
     pub forgetting: f32,
@@ -54,6 +65,9 @@ impl Level2Config {
     /// What works best on the simulated Pioneer.
     pub const FORAGER: Self = Self {
         prior: 2.0,
+        experience: 0.5,
+        lambda: 0.9,
+        learning_rate: 0.02,
         forgetting: 0.01,
         values_per_step: 4,
         fallback: Fallback::Never,
@@ -65,16 +79,19 @@ impl Level2Config {
             Fallback::MeanReliability(share) => share,
             Fallback::Never | Fallback::ValueThenReliability => 0.0,
         };
+        let shares = [share, self.experience, self.lambda, self.learning_rate];
         self.prior.is_finite()
             && self.prior > 0.0
             && (0.0..1.0).contains(&self.forgetting)
-            && (0.0..=1.0).contains(&share)
+            && shares.iter().all(|share| (0.0..=1.0).contains(share))
     }
 }
 
 /// Weights of a new prediction in the slow and the fast share of right ones.
 const SLOW: f32 = 0.000_5;
 const FAST: f32 = 0.02;
+/// Eligibility below which a state no longer feels a reward.
+const FELT: f32 = 0.01;
 
 /// The second level of a brain: `SYNTHETIC` items and `BELIEFS` counters.
 ///
@@ -230,6 +247,40 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         self.table.forget(trace, action, share);
     }
 
+    /// Learns from a reward on the way from one state to the next what the states before were
+    /// worth: temporal differences with eligibility traces, TD(λ).
+    pub(super) fn experience(
+        &mut self,
+        from: SyntheticId,
+        to: SyntheticId,
+        reward: f32,
+        discount: f32,
+        config: &Level2Config,
+    ) {
+        let (Some(before), Some(after)) = (self.table.row(from), self.table.row(to)) else {
+            return;
+        };
+        let surprise = reward + discount * after.experienced - before.experienced;
+        for (index, row) in self.table.rows.iter_mut().enumerate() {
+            row.eligibility *= discount * config.lambda;
+            if index == usize::from(from.0) {
+                row.eligibility = 1.0;
+                row.visits += 1.0;
+            }
+            if row.eligibility < FELT {
+                row.eligibility = 0.0;
+                continue;
+            }
+            let share = 1.0 / if row.visits > 1.0 { row.visits } else { 1.0 };
+            let step = if share > config.learning_rate {
+                share
+            } else {
+                config.learning_rate
+            };
+            row.experienced += step * row.eligibility * surprise;
+        }
+    }
+
     /// After a harvest: follows schemas that moved and drops the items of those that left.
     pub(super) fn follow<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
         &mut self,
@@ -270,7 +321,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
                 && context.is_some_and(|context| context.holds)
             {
                 let p = schema.reliability.value(values.estimate);
-                appraisal.value += p * self.worth(knowledge, schema, values);
+                appraisal.value += p * self.worth(knowledge, schema, values, config);
                 appraisal.reliability += p;
                 appraisal.applicable = true;
             }
@@ -307,7 +358,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
                 continue;
             }
             let p = belief.on / (tried + config.prior);
-            appraisal.value += p * self.worth(knowledge, schema, values);
+            appraisal.value += p * self.worth(knowledge, schema, values, config);
             appraisal.reliability += p;
             appraisal.applicable = true;
         }
@@ -320,12 +371,15 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
         schema: &Schema,
         values: &ValueConfig,
+        config: &Level2Config,
     ) -> f32 {
         let Some(result) = knowledge.patterns.get(usize::from(schema.result.0)) else {
             return 0.0;
         };
         let row = schema.synthetic.and_then(|item| self.table.row(item));
-        let then = row.map_or(result.value, |row| row.value);
+        let then = row.map_or(result.value, |row| {
+            row.value + config.experience * (row.experienced - row.value)
+        });
         let mut value = values.discount * then;
         for item in result.items.positive().iter() {
             value += knowledge.inherent_value(item);

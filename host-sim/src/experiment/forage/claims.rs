@@ -209,7 +209,7 @@ fn second_level(trials: &[Trial]) -> Vec<Claim> {
         score(
             "level1_20000",
             captures,
-            "level 1 alone, trained as long and as greedily as level 2",
+            "level 1 alone, trained as long as level 2",
             |t| t.second.level1.replaced,
         ),
         Expectation::new("forage.captures.level2_removed", "6.2.5", "captures of 28")
@@ -226,7 +226,7 @@ fn second_level(trials: &[Trial]) -> Vec<Claim> {
                 ),
                 met: ratio >= 1.12 && welch.t >= 3.0 && better * 20 >= 16 * trials.len(),
             })
-            .note("level 1 had the same 20,000 actions, and the same share of them greedy")
+            .note("level 1 had the same 20,000 actions, explored as suits it best")
             .judge_ratio(&level2, &level1),
         versus("clean", 0.97, "no drop-out, no noise of steps and turns", |t| {
             t.second_noise_free
