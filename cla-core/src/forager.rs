@@ -11,6 +11,6 @@ crate::brain! {
         maps: 20 x 20,
         patterns: 128,
         schemas: 1024,
-        ram: 208_000,
+        ram: 216_000,
     }
 }

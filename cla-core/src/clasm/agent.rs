@@ -15,6 +15,7 @@ use super::item::ItemStates;
 use super::knowledge::{KnowledgeBase, Outcome};
 use super::sample::Sample;
 use super::schema::SchemaId;
+use super::surprise::{Surprise, SurpriseConfig};
 use crate::num::Rng;
 
 /// What an agent is doing with its life.
@@ -169,6 +170,7 @@ pub struct Agent<
     burst: u16,
     run: u16,
     exploring: bool,
+    surprise: Surprise,
 }
 
 impl<
@@ -204,6 +206,7 @@ impl<
             burst: 0,
             run: 0,
             exploring: false,
+            surprise: Surprise::NONE,
         }
     }
 
@@ -225,6 +228,7 @@ impl<
         self.since_reward = 0;
         self.burst = 0;
         self.run = 0;
+        self.surprise = Surprise::NONE;
         Ok(())
     }
 
@@ -280,6 +284,7 @@ impl<
         };
         let before = self.context;
         let lesson = self.observe(&before, action, now)?;
+        self.feel(lesson.reward > 0.0);
         self.since_reward = if lesson.reward > 0.0 {
             0
         } else {
@@ -308,6 +313,9 @@ impl<
         };
         if self.stage == Stage::Acting(Adaptation::Frozen) {
             return Ok(lesson);
+        }
+        if self.suspects().is_some() && self.surprise.doubts() {
+            self.knowledge.count_hits(before, action, after);
         }
         lesson.outcome = self
             .knowledge
@@ -376,6 +384,41 @@ impl<
         &self.bank
     }
 
+    /// Gives the agent another sense of surprise, or none, from now on; what it knows stays.
+    ///
+    /// # Errors
+    /// [`ConfigError::Surprise`]; nothing has changed.
+    pub fn set_surprise(&mut self, surprise: Option<SurpriseConfig>) -> Result<(), ConfigError> {
+        if let Some(config) = self.config {
+            let config = AgentConfig { surprise, ..config };
+            config.check()?;
+            self.config = Some(config);
+        }
+        Ok(())
+    }
+
+    /// Doubts what it knows from now on, as after an alarm.
+    ///
+    /// Nothing happens unless it acts, re-learns and can be surprised.
+    pub fn doubt(&mut self) {
+        if let Some(config) = self.suspects() {
+            self.surprise.alarm(&config);
+            self.knowledge.begin_doubt();
+        }
+    }
+
+    /// Alarms so far.
+    #[must_use]
+    pub const fn alarms(&self) -> u32 {
+        self.surprise.alarms()
+    }
+
+    /// Whether the agent doubts what it knows: it was alarmed a short time ago.
+    #[must_use]
+    pub const fn doubts(&self) -> bool {
+        self.surprise.doubts()
+    }
+
     /// What the agent is doing with its life.
     #[must_use]
     pub const fn stage(&self) -> Stage {
@@ -390,6 +433,29 @@ impl<
         }
         self.run -= 1;
         self.exploring
+    }
+
+    /// Alarms sound only where something can be learned from them.
+    fn suspects(&self) -> Option<SurpriseConfig> {
+        let relearns = self.stage == Stage::Acting(Adaptation::Relearning);
+        self.config.filter(|_| relearns)?.surprise
+    }
+
+    /// Doubts what it knows after an alarm, and weighs the evidence while it doubts.
+    fn feel(&mut self, rewarded: bool) {
+        let (Some(config), Some(surprise)) = (self.config, self.suspects()) else {
+            return;
+        };
+        let doubted = self.surprise.doubts();
+        if self.surprise.feel(&surprise, rewarded) {
+            self.knowledge.begin_doubt();
+        }
+        if self.surprise.weighs() {
+            self.knowledge.weigh::<ACTIONS>(&surprise, &config.values);
+        }
+        if !self.surprise.doubts() && doubted {
+            self.knowledge.end_doubt();
+        }
     }
 
     fn random(&mut self, reason: Reason) -> Choice {

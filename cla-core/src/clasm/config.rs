@@ -6,6 +6,7 @@ use super::action_som::TrainingConfig;
 use super::choice::ChoiceRule;
 use super::harvest::HarvestConfig;
 use super::sample::ResultCoding;
+use super::surprise::SurpriseConfig;
 use super::value::ValueConfig;
 
 /// How an agent learns and chooses.
@@ -39,6 +40,8 @@ pub struct AgentConfig {
     /// With 1 (the book's reading) a robot never follows its own policy for more than a moment, so
     /// it never sees the states that this policy leads to.
     pub training_run: u16,
+    /// Alarms of an agent that acts and re-learns, and what follows; without it nothing is doubted.
+    pub surprise: Option<SurpriseConfig>,
     /// A way out of loops; without it a robot may shuttle forever.
     pub escape: Option<Escape>,
 }
@@ -84,6 +87,8 @@ pub enum ConfigError {
     NoActions,
     /// The learning rate starts above 1.
     Alpha,
+    /// An alarm that could never or always ring, a doubt without actions, or a share out of range.
+    Surprise,
     /// The neighbourhood cut is outside `[0, 1]`, or a weight or vigilance is negative, or NaN.
     Training,
 }
@@ -99,6 +104,7 @@ impl fmt::Display for ConfigError {
             Self::Thresholds => "harvest thresholds must satisfy 0 <= off < on <= 1",
             Self::NoActions => "a harvest and a training run need at least one action",
             Self::Alpha => "the learning rate must not exceed 1",
+            Self::Surprise => "alarms, doubt and optimism must be finite and in range",
             Self::Training => "cut, result weight and vigilance must be finite and in range",
         })
     }
@@ -120,6 +126,7 @@ impl AgentConfig {
         forgetting: 0.0,
         greedy_share: 0.2,
         training_run: 1,
+        surprise: None,
         escape: None,
     };
 
@@ -137,6 +144,12 @@ impl AgentConfig {
             burst: 10,
         }),
         ..Self::BOOK
+    };
+
+    /// A forager that notices when its predictions fail, and learns anew what no longer holds.
+    pub const RESILIENT: Self = Self {
+        surprise: Some(SurpriseConfig::FORAGER),
+        ..Self::FORAGER
     };
 
     /// Whether the values make sense together.
@@ -160,6 +173,9 @@ impl AgentConfig {
         }
         if self.escape.is_some_and(|it| it.after == 0 || it.burst == 0) {
             return Err(ConfigError::Escape);
+        }
+        if self.surprise.is_some_and(|it| !it.is_valid()) {
+            return Err(ConfigError::Surprise);
         }
         let HarvestConfig { on, off, .. } = self.harvest;
         if !share(on) || !share(off) || off >= on {

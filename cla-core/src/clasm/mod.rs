@@ -27,6 +27,7 @@ mod schema;
 mod signed_items;
 mod simple_schema;
 mod simplify;
+mod surprise;
 mod value;
 
 pub use accommodation::{Accommodation, AccommodationConfig, Surprise};
@@ -50,4 +51,5 @@ pub use schema::{PatternId, Schema, SchemaId};
 pub use signed_items::SignedItems;
 pub use simple_schema::{Entry, SimpleSchema, SimpleSchemas};
 pub use simplify::simplify;
+pub use surprise::{Doubt, SurpriseConfig};
 pub use value::{Appraisal, InherentValueError, ValueConfig};

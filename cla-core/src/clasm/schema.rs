@@ -2,6 +2,7 @@
 
 use super::action::ActionId;
 use super::reliability::Reliability;
+use super::surprise::Doubt;
 
 /// The index of a conjunction in a knowledge base.
 ///
@@ -26,7 +27,7 @@ pub struct SchemaId(pub u16);
 /// Contexts and results repeat, so each is stored once and named by its [`PatternId`].
 ///
 /// ```
-/// assert_eq!(core::mem::size_of::<cla_core::clasm::Schema>(), 20);
+/// assert_eq!(core::mem::size_of::<cla_core::clasm::Schema>(), 28);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schema {
@@ -40,4 +41,6 @@ pub struct Schema {
     pub support: u16,
     /// Its trials.
     pub reliability: Reliability,
+    /// What it keeps while an agent doubts what it knows.
+    pub doubt: Doubt,
 }
