@@ -13,7 +13,7 @@ crate::brain! {
         schemas: 1024,
         synthetic: 384,
         beliefs: 3072,
-        ram: 257_000,
+        ram: 266_000,
     }
 }
 
@@ -26,6 +26,6 @@ crate::brain! {
         maps: 10 x 10,
         patterns: 64,
         schemas: 512,
-        ram: 64_000,
+        ram: 72_000,
     }
 }

@@ -29,6 +29,8 @@ pub enum Command {
     Causal(CausalArgs),
     /// Learn angles as infants do: young networks see lines, old ones angles.
     Angle(AngleArgs),
+    /// A robot is damaged in mid-life and recovers, beside its rivals (book, 6.3, 7.1.1).
+    Recover(RecoverArgs),
     /// An eye, a hand and a ball: schemas, goals and persistent objects (book, 5.4).
     Microworld(MicroworldArgs),
 }
@@ -104,6 +106,24 @@ pub struct ForageArgs {
     /// Actions of a test.
     #[arg(long, value_name = "N", default_value_t = 3_000)]
     pub test_actions: u32,
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `recover`.
+#[derive(Clone, Debug, Args)]
+pub struct RecoverArgs {
+    /// What breaks: camera:DEGREES, shift:N, dead:ITEM, stuck:ITEM, swap:A,B, pull:DEGREES,
+    /// weak:ACTION, slip:SHARE, lost:ACTION, beam, none; or all. May be given several times.
+    #[arg(long, value_name = "DAMAGE", default_value = "camera:+12")]
+    pub damage: Vec<String>,
+    /// Which lives.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// Where they are lived.
+    #[command(flatten)]
+    pub world: WorldArgs,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,

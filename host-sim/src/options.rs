@@ -11,19 +11,22 @@ use clap::Parser;
 
 use crate::cli::{
     AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, MicroworldArgs, OutArgs,
-    SeedArgs, WorldArgs,
+    RecoverArgs, SeedArgs, WorldArgs,
 };
 use crate::experiment::angle::{self, AngleConfig};
 use crate::experiment::calibrate;
 use crate::experiment::causal::{self, network::CausalConfig};
 use crate::experiment::forage::{self, ForageOptions};
 use crate::experiment::microworld::{self, MicroworldOptions};
+use crate::experiment::recover::life::Protocol;
+use crate::experiment::recover::{self, RecoverOptions};
 use crate::progress::Progress;
 use crate::report::Results;
 use crate::world::config::{AfterCapture, PioneerConfig};
+use crate::world::damage::{Damage, Damaged};
 use crate::world::layout::Layout;
 use crate::world::microworld::item;
-use crate::world::pioneer::Pioneer;
+use crate::world::pioneer::{self, Pioneer};
 
 /// Most seeds of one run.
 const MOST_SEEDS: u64 = 100_000;
@@ -62,6 +65,8 @@ pub enum Job {
     Causal(Vec<u64>),
     /// See [`angle`]: the standard parameters with these seeds.
     Angle(Vec<u64>),
+    /// See [`recover`].
+    Recover(Box<RecoverOptions>),
     /// See [`microworld`].
     Microworld(MicroworldOptions),
 }
@@ -103,6 +108,10 @@ impl Order {
                 job: Job::Angle(seeds(args)?),
                 out: directory(out, "angle"),
             }),
+            Command::Recover(args) => Ok(Self {
+                job: Job::Recover(Box::new(recover_options(args)?)),
+                out: directory(&args.out, "recover"),
+            }),
             Command::Microworld(args) => Ok(Self {
                 job: Job::Microworld(microworld_options(args)?),
                 out: directory(&args.out, "microworld"),
@@ -128,6 +137,7 @@ impl Job {
                 let study = angle::run(seeds, &AngleConfig::STANDARD, progress);
                 Ok(study.report()?)
             }
+            Self::Recover(options) => recover::run(options, progress),
             Self::Microworld(options) => microworld::run(options, progress),
         }
     }
@@ -155,6 +165,41 @@ fn forage_options(args: &ForageArgs) -> Result<ForageOptions, Impossible> {
     };
     for &seed in &options.seeds {
         options.world.build(seed)?;
+    }
+    Ok(options)
+}
+
+fn recover_options(args: &RecoverArgs) -> Result<RecoverOptions, Impossible> {
+    if args.world.removed {
+        let sentence = "--removed does not go with recover: a cleared room teaches nothing more";
+        return Err(Impossible::new(sentence));
+    }
+    let world = WorldOptions::new(&args.world)?;
+    let mut damages = Vec::new();
+    let read = |text: &str| {
+        let damage = Damage::parse(text, &pioneer::ITEMS, &pioneer::ACTIONS);
+        damage.map_err(|error| Impossible::new(format!("--damage: {error}")))
+    };
+    for text in &args.damage {
+        if text == "all" {
+            for text in Damage::REPORTED {
+                damages.push(read(text)?);
+            }
+        } else {
+            damages.push(read(text)?);
+        }
+    }
+    let options = RecoverOptions {
+        seeds: seeds(&args.seeds)?,
+        world,
+        damages,
+        protocol: Protocol::STANDARD,
+    };
+    for &seed in &options.seeds {
+        options.world.build(seed)?;
+    }
+    for &damage in &options.damages {
+        Damaged::new(options.world.build(0)?, damage, 0).map_err(Impossible::new)?;
     }
     Ok(options)
 }

@@ -62,6 +62,10 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         &["forage", "--layout", "malformed.txt"],
         &["forage", "--layout", "none.txt"],
         &["calibrate", "--seeds", "1..2"],
+        &["recover", "--damage", "flood"],
+        &["recover", "--damage", "camera:left"],
+        &["recover", "--damage", "dead:s9"],
+        &["recover", "--removed"],
     ] {
         let output = run(&folder.0, arguments);
         let sentence = String::from_utf8_lossy(&output.stderr);

@@ -17,6 +17,7 @@ use super::knowledge::{KnowledgeBase, Outcome};
 use super::sample::Sample;
 use super::schema::SchemaId;
 use super::second_level::{Fallback, SecondLevel};
+use super::surprise::{Surprise, SurpriseConfig};
 use crate::num::Rng;
 
 /// What an agent is doing with its life.
@@ -193,6 +194,7 @@ pub struct Agent<
     burst: u16,
     run: u16,
     exploring: bool,
+    surprise: Surprise,
 }
 
 impl<
@@ -233,6 +235,7 @@ impl<
             burst: 0,
             run: 0,
             exploring: false,
+            surprise: Surprise::NONE,
         }
     }
 
@@ -256,6 +259,7 @@ impl<
         self.since_reward = 0;
         self.burst = 0;
         self.run = 0;
+        self.surprise = Surprise::NONE;
         Ok(())
     }
 
@@ -305,6 +309,7 @@ impl<
         };
         let before = self.context;
         let lesson = self.observe(&before, action, now)?;
+        self.feel(lesson.reward > 0.0);
         self.since_reward = if lesson.reward > 0.0 {
             0
         } else {
@@ -332,6 +337,9 @@ impl<
             ..Lesson::default()
         };
         let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
+        if self.suspects().is_some() && self.surprise.doubts() {
+            self.knowledge.count_hits(before, action, after);
+        }
         lesson.outcome = if frozen {
             self.knowledge.explain(before, action, after)
         } else {
@@ -451,19 +459,56 @@ impl<
         &self.bank
     }
 
+    /// Gives the agent another sense of surprise, or none, from now on; what it knows stays.
+    ///
+    /// # Errors
+    /// [`ConfigError::Surprise`]; nothing has changed.
+    pub fn set_surprise(&mut self, surprise: Option<SurpriseConfig>) -> Result<(), ConfigError> {
+        if let Some(config) = self.config {
+            let config = AgentConfig { surprise, ..config };
+            config.check()?;
+            self.config = Some(config);
+        }
+        Ok(())
+    }
+
+    /// Doubts what it knows from now on, as after an alarm.
+    ///
+    /// Nothing happens unless it acts, re-learns and can be surprised.
+    pub fn doubt(&mut self) {
+        if let Some(config) = self.suspects() {
+            self.surprise.alarm(&config);
+            self.knowledge.begin_doubt();
+        }
+    }
+
+    /// Alarms so far.
+    #[must_use]
+    pub const fn alarms(&self) -> u32 {
+        self.surprise.alarms()
+    }
+
+    /// Whether the agent doubts what it knows: it was alarmed a short time ago.
+    #[must_use]
+    pub const fn doubts(&self) -> bool {
+        self.surprise.doubts()
+    }
+
     /// What the agent is doing with its life.
     #[must_use]
     pub const fn stage(&self) -> Stage {
         self.stage
     }
 
-    /// What the highest level that has something to say prefers.
+    /// What the highest level that has something to say prefers; in a doubt that is level 1.
     fn prefer(
         &mut self,
         now: &ItemStates<WORDS>,
         config: &AgentConfig,
     ) -> Option<(Level, Preference)> {
-        if let (Some(level2), Some(trace)) = (&config.level2, self.trace_in(now)) {
+        let doubts = self.surprise.doubts();
+        let trace = self.trace_in(now).filter(|_| !doubts);
+        if let (Some(level2), Some(trace)) = (&config.level2, trace) {
             let Self {
                 level2: level,
                 knowledge,
@@ -539,6 +584,31 @@ impl<
         }
         self.run -= 1;
         self.exploring
+    }
+
+    /// Alarms sound only where something can be learned from them.
+    fn suspects(&self) -> Option<SurpriseConfig> {
+        let relearns = self.stage == Stage::Acting(Adaptation::Relearning);
+        self.config.filter(|_| relearns)?.surprise
+    }
+
+    /// Doubts what it knows after an alarm, and weighs the evidence while it doubts.
+    fn feel(&mut self, rewarded: bool) {
+        let (Some(config), Some(surprise)) = (self.config, self.suspects()) else {
+            return;
+        };
+        let doubted = self.surprise.doubts();
+        if self.surprise.feel(&surprise, rewarded) {
+            self.knowledge.begin_doubt();
+        }
+        if self.surprise.weighs() {
+            self.knowledge.weigh::<ACTIONS>(&surprise, &config.values);
+            self.level2.doubt(&self.knowledge);
+        }
+        if !self.surprise.doubts() && doubted {
+            self.knowledge.end_doubt();
+            self.level2.forget_experience();
+        }
     }
 
     fn random(&mut self, reason: Reason) -> Choice {

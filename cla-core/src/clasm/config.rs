@@ -7,6 +7,7 @@ use super::choice::ChoiceRule;
 use super::harvest::HarvestConfig;
 use super::sample::ResultCoding;
 use super::second_level::Level2Config;
+use super::surprise::SurpriseConfig;
 use super::value::ValueConfig;
 
 /// How an agent learns and chooses.
@@ -40,6 +41,8 @@ pub struct AgentConfig {
     /// With 1 (the book's reading) a robot never follows its own policy for more than a moment, so
     /// it never sees the states that this policy leads to.
     pub training_run: u16,
+    /// Alarms of an agent that acts and re-learns, and what follows; without it nothing is doubted.
+    pub surprise: Option<SurpriseConfig>,
     /// A way out of loops; without it a robot may shuttle forever.
     pub escape: Option<Escape>,
     /// The second level; without it level 1 decides alone.
@@ -89,6 +92,8 @@ pub enum ConfigError {
     Alpha,
     /// The second level's prior is not above 0, or its forgetting outside `[0, 1)`, or NaN.
     Level2,
+    /// An alarm that could never or always ring, a doubt without actions, or a share out of range.
+    Surprise,
     /// The neighbourhood cut is outside `[0, 1]`, or a weight or vigilance is negative, or NaN.
     Training,
 }
@@ -105,6 +110,7 @@ impl fmt::Display for ConfigError {
             Self::NoActions => "a harvest and a training run need at least one action",
             Self::Alpha => "the learning rate must not exceed 1",
             Self::Level2 => "a prior must be above 0, forgetting between 0 and 1, 1 excluded",
+            Self::Surprise => "alarms, doubt and optimism must be finite and in range",
             Self::Training => "cut, result weight and vigilance must be finite and in range",
         })
     }
@@ -126,6 +132,7 @@ impl AgentConfig {
         forgetting: 0.0,
         greedy_share: 0.2,
         training_run: 1,
+        surprise: None,
         escape: None,
         level2: None,
     };
@@ -155,6 +162,12 @@ impl AgentConfig {
         ..Self::FORAGER
     };
 
+    /// A forager that notices when its predictions fail, and learns anew what no longer holds.
+    pub const RESILIENT: Self = Self {
+        surprise: Some(SurpriseConfig::FORAGER),
+        ..Self::FORAGER
+    };
+
     /// Whether the values make sense together.
     ///
     /// # Errors
@@ -179,6 +192,9 @@ impl AgentConfig {
         }
         if self.level2.is_some_and(|it| !it.is_sound()) {
             return Err(ConfigError::Level2);
+        }
+        if self.surprise.is_some_and(|it| !it.is_valid()) {
+            return Err(ConfigError::Surprise);
         }
         let HarvestConfig { on, off, .. } = self.harvest;
         if !share(on) || !share(off) || off >= on {

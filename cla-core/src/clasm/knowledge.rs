@@ -12,6 +12,7 @@ use super::reliability::{Estimate, Reliability};
 use super::sample::ResultCoding;
 use super::schema::{PatternId, Schema, SchemaId};
 use super::signed_items::SignedItems;
+use super::surprise::Doubt;
 use crate::som::Prototypes;
 
 /// A conjunction that stands in schemas, with what being there is worth.
@@ -400,6 +401,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             support: wins,
             synthetic: None,
             reliability,
+            doubt: Doubt::default(),
         };
         match self.schemas.push(new) {
             Ok(()) => Ok(SchemaId(self.schemas.len() as u16 - 1)),

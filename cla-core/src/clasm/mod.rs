@@ -29,6 +29,7 @@ mod second_level;
 mod signed_items;
 mod simple_schema;
 mod simplify;
+mod surprise;
 mod value;
 
 pub use accommodation::{Accommodation, AccommodationConfig, Surprise};
@@ -54,4 +55,5 @@ pub use second_level::{Fallback, Level2Config, SecondLevel};
 pub use signed_items::SignedItems;
 pub use simple_schema::{Entry, SimpleSchema, SimpleSchemas};
 pub use simplify::simplify;
+pub use surprise::{Doubt, SurpriseConfig};
 pub use value::{Appraisal, InherentValueError, ValueConfig};

@@ -71,6 +71,11 @@ impl Reliability {
         self.recent += step * (outcome - self.recent);
     }
 
+    /// Replaces the recent average, when more than one trial speaks for another (see `surprise`).
+    pub(super) fn revise(&mut self, recent: f32) {
+        self.recent = recent;
+    }
+
     /// The estimate, in `[0, 1]`; 0 before the first trial.
     #[must_use]
     pub fn value(&self, estimate: Estimate) -> f32 {

@@ -3,6 +3,7 @@
 use super::action::ActionId;
 use super::belief::SyntheticId;
 use super::reliability::Reliability;
+use super::surprise::Doubt;
 
 /// The index of a conjunction in a knowledge base.
 ///
@@ -27,7 +28,7 @@ pub struct SchemaId(pub u16);
 /// Contexts and results repeat, so each is stored once and named by its [`PatternId`].
 ///
 /// ```
-/// assert_eq!(core::mem::size_of::<cla_core::clasm::Schema>(), 24);
+/// assert_eq!(core::mem::size_of::<cla_core::clasm::Schema>(), 32);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Schema {
@@ -43,4 +44,6 @@ pub struct Schema {
     pub synthetic: Option<SyntheticId>,
     /// Its trials.
     pub reliability: Reliability,
+    /// What it keeps while an agent doubts what it knows.
+    pub doubt: Doubt,
 }

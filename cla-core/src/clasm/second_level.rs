@@ -12,7 +12,7 @@ use super::choice::Preference;
 use super::item::ItemStates;
 use super::knowledge::KnowledgeBase;
 use super::reliability::Reliability;
-use super::schema::{Schema, SchemaId};
+use super::schema::{PatternId, Schema, SchemaId};
 use super::value::{Appraisal, ValueConfig, state_of};
 
 /// How the second level learns.
@@ -241,10 +241,39 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         self.table.record(trace, action, item, config.forgetting);
     }
 
-    /// Lets all that is believed about an action after a trace count for `share` (in `[0, 1]`) of
-    /// what it did: where the world has changed, level 1 decides until there is new evidence.
-    pub fn forget(&mut self, trace: SyntheticId, action: ActionId, share: f32) {
-        self.table.forget(trace, action, share);
+    /// In a doubt: lets no more occasions count than the evidence leaves of what was known.
+    ///
+    /// Where the world has changed, level 1 decides until there is new evidence; where it has not,
+    /// nothing is lost.
+    pub(super) fn doubt<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
+        &mut self,
+        knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+    ) {
+        for context in 0..knowledge.patterns() {
+            let context = PatternId(context);
+            for action in 0..ACTIONS as u16 {
+                let action = ActionId(action);
+                let hold = knowledge.hold(context, action);
+                for index in 0..self.table.rows.len() {
+                    let item = SyntheticId(index as u16);
+                    let schema = self.schema(item);
+                    let schema = schema.and_then(|id| knowledge.schemas.get(usize::from(id.0)));
+                    let tried = self.tried(item, action);
+                    if tried > hold && schema.is_some_and(|schema| schema.result == context) {
+                        self.table.forget(item, action, hold / tried);
+                    }
+                }
+            }
+        }
+    }
+
+    /// After a doubt: what followed a state in the old world no longer says what it is worth.
+    pub(super) fn forget_experience(&mut self) {
+        for row in &mut self.table.rows {
+            row.experienced = row.value;
+            row.visits = 0.0;
+            row.eligibility = 0.0;
+        }
     }
 
     /// Learns from a reward on the way from one state to the next what the states before were

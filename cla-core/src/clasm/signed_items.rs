@@ -33,6 +33,15 @@ impl<const WORDS: usize> SignedItems<WORDS> {
         negative: ItemSet::EMPTY,
     };
 
+    /// What is known of every item: on is positive, off is negative.
+    #[must_use]
+    pub fn of(state: &super::ItemStates<WORDS>) -> Self {
+        Self {
+            positive: *state.on(),
+            negative: *state.off(),
+        }
+    }
+
     /// Adds an item with its sign (`true` for `+`), in place of an opposite one.
     ///
     /// # Errors

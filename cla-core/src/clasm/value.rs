@@ -297,6 +297,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     ) -> [Appraisal; ACTIONS] {
         self.look_at(state);
         let mut appraisals = [Appraisal::default(); ACTIONS];
+        let mut bonuses = [0.0; ACTIONS];
         for schema in &self.schemas {
             let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0)) else {
                 continue;
@@ -314,12 +315,18 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 appraisal.value += p * value;
                 appraisal.reliability += p;
                 appraisal.applicable = true;
+                if let Some(most) = bonuses.get_mut(usize::from(schema.action.0))
+                    && schema.doubt.bonus > *most
+                {
+                    *most = schema.doubt.bonus;
+                }
             }
         }
-        for appraisal in &mut appraisals {
+        for (appraisal, bonus) in appraisals.iter_mut().zip(bonuses) {
             if appraisal.reliability > 1.0 {
                 appraisal.value /= appraisal.reliability;
             }
+            appraisal.value += bonus;
         }
         appraisals
     }

@@ -1,7 +1,8 @@
 //! The brain of `cla-core` as a [`Learner`]: percepts in its words, reasons in the book's notation.
 
 use cla_core::clasm::{
-    ActionId, Adaptation, AgentConfig, Choice, Detail, ItemSet, ItemStates, Reason,
+    ActionId, Adaptation, AgentConfig, Choice, Detail, Estimate, ItemSet, ItemStates, Reason,
+    SurpriseConfig,
 };
 use cla_core::forager::pioneer::{self, Brain, VOCABULARY};
 
@@ -46,13 +47,20 @@ impl Forager {
         })
     }
 
-    /// The same forager with the same past, which will adapt in another way.
-    #[must_use]
-    pub fn adapting(&self, adaptation: Adaptation) -> Self {
-        Self {
-            adaptation,
-            ..self.clone()
-        }
+    /// The same forager with the same past, which will act and adapt in this way.
+    ///
+    /// # Errors
+    /// When it has not begun or the surprise cannot work.
+    pub fn acting(
+        &self,
+        adaptation: Adaptation,
+        surprise: Option<SurpriseConfig>,
+    ) -> Result<Self, Failure> {
+        let mut it = self.clone();
+        it.adaptation = adaptation;
+        it.brain.set_surprise(surprise)?;
+        it.act()?;
+        Ok(it)
     }
 
     /// The brain.
@@ -96,6 +104,18 @@ impl Learner for Forager {
         Ok(())
     }
 
+    fn reliabilities(&self) -> Vec<f64> {
+        let schemas = self.brain.knowledge().schemas().iter();
+        schemas
+            .filter(|schema| schema.reliability.activations() > 0)
+            .map(|schema| f64::from(schema.reliability.value(Estimate::Recent)))
+            .collect()
+    }
+
+    fn alarms(&self) -> u32 {
+        self.brain.alarms()
+    }
+
     fn reason(&self) -> Thought {
         let Some(choice) = self.last else {
             return Thought::default();
@@ -110,8 +130,9 @@ impl Learner for Forager {
         };
         Thought {
             schema,
+            action: usize::from(choice.action.0),
             value: choice.value,
-            alarmed: false,
+            alarmed: self.brain.doubts(),
         }
     }
 }

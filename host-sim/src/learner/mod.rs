@@ -42,6 +42,16 @@ pub trait Learner {
     /// Is told what broke; whoever learns does not listen.
     fn hear(&mut self, _: &Damage) {}
 
+    /// The reliability of every schema it has tried; none for who has no schemas.
+    fn reliabilities(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// How often it suspected that the world has changed.
+    fn alarms(&self) -> u32 {
+        0
+    }
+
     /// Why the last choice was made, for people.
     fn reason(&self) -> Thought {
         Thought::default()
@@ -53,6 +63,8 @@ pub trait Learner {
 pub struct Thought {
     /// The schema that spoke for it in the book's notation, or why none did.
     pub schema: String,
+    /// The index of the chosen action.
+    pub action: usize,
     /// What it was worth; 0 when nothing was compared.
     pub value: f32,
     /// Whether it suspects that the world has changed.

@@ -13,6 +13,7 @@ pub struct Results {
     /// The record.
     pub summary: Summary,
     pictures: Vec<(String, Picture)>,
+    files: Vec<(String, Vec<u8>)>,
 }
 
 impl Results {
@@ -22,6 +23,7 @@ impl Results {
         Self {
             summary,
             pictures: Vec::new(),
+            files: Vec::new(),
         }
     }
 
@@ -29,6 +31,13 @@ impl Results {
     #[must_use]
     pub fn picture(mut self, name: &str, picture: Picture) -> Self {
         self.pictures.push((name.to_owned(), picture));
+        self
+    }
+
+    /// Adds a file of any other kind, such as a page, under its whole name.
+    #[must_use]
+    pub fn file(mut self, name: &str, bytes: Vec<u8>) -> Self {
+        self.files.push((name.to_owned(), bytes));
         self
     }
 
@@ -62,6 +71,9 @@ impl Results {
         let mut paths = Vec::new();
         for (name, picture) in &self.pictures {
             paths.push(output.write_picture(name, picture)?);
+        }
+        for (name, bytes) in &self.files {
+            paths.push(output.write(name, bytes)?);
         }
         paths.push(output.write_summary(&self.summary)?);
         Ok(paths)

@@ -30,12 +30,16 @@ impl Protocol {
 }
 
 /// The captures of each [`STRIDE`] of a life's later parts.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Course {
     /// Undamaged.
     pub before: Vec<u32>,
     /// Damaged.
     pub after: Vec<u32>,
+    /// The reliabilities of its schemas when the damage came, and at the end.
+    pub reliabilities: [Vec<f64>; 2],
+    /// How often it was alarmed, undamaged and damaged.
+    pub alarms: [u32; 2],
 }
 
 /// Actions over which a rate of captures is averaged.
@@ -115,12 +119,7 @@ pub fn course(
     damage: Damage,
     seed: u64,
 ) -> Result<Course, Failure> {
-    let mut world = fresh(world, seed)?;
-    let before = live(learner, &mut world, protocol.before)?;
-    let mut world = Damaged::new(world, damage, seed)?;
-    learner.hear(&damage);
-    let after = live(learner, &mut world, protocol.after)?;
-    Ok(Course { before, after })
+    watched_course(learner, world, protocol, damage, seed, &mut |_, _| {})
 }
 
 /// As [`course`], and somebody watches.
@@ -137,10 +136,16 @@ pub fn watched_course(
 ) -> Result<Course, Failure> {
     let mut world = Damaged::new(fresh(world, seed)?, Damage::None, seed)?;
     let before = watched(learner, &mut world, protocol.before, watch)?;
+    let (then, calm) = (learner.reliabilities(), learner.alarms());
     let mut world = Damaged::new(world.into_world(), damage, seed)?;
     learner.hear(&damage);
     let after = watched(learner, &mut world, protocol.after, watch)?;
-    Ok(Course { before, after })
+    Ok(Course {
+        before,
+        after,
+        reliabilities: [then, learner.reliabilities()],
+        alarms: [calm, learner.alarms() - calm],
+    })
 }
 
 #[cfg(test)]
@@ -152,6 +157,7 @@ mod tests {
         let course = Course {
             before: vec![2; 120],
             after: [vec![0; 40], vec![1; 40], vec![2; 40]].concat(),
+            ..Course::default()
         };
         assert_eq!(course.rate_before(), 80.0);
         assert_eq!(course.captures(0, 3), 120.0);

@@ -173,10 +173,12 @@ impl Damage {
         }
     }
 
-    /// The damage as part of a claim's id: `camera_left12`, `dead_s3`, `swap_s2_s4`.
+    /// The damage as part of a claim's id: `dead_s3`, `swap_s2_s4`, `camera_right12`, and `camera`
+    /// for the book's own, 12° to the left.
     #[must_use]
     pub fn id(&self) -> String {
         let text = match *self {
+            Self::Camera(12.0) => "camera".to_owned(),
             Self::Camera(degrees) if degrees >= 0.0 => format!("camera_left{degrees}"),
             Self::Camera(degrees) => format!("camera_right{}", -degrees),
             _ => self.to_string(),

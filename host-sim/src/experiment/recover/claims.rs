@@ -1,0 +1,315 @@
+//! What is concluded from the lives: claims and tables of the recovery experiment.
+
+use serde_json::Value;
+
+use super::RecoverOptions;
+use super::life::Course;
+use super::trial::{Entrant, Trial, entrants};
+use crate::report::{
+    Bound, Claim, Expectation, Rule, Summary, Table, Verdict, mean, median, sample_sd, welch_t,
+};
+use crate::world::damage::Damage;
+
+pub(super) fn summary(options: &RecoverOptions, trials: &[Trial]) -> Summary {
+    let mut summary = Summary::new("recover", &options.seeds);
+    let damages: Vec<String> = options.damages.iter().map(Damage::to_string).collect();
+    summary.parameter("damages", damages.join(" "));
+    summary.parameter("training", options.protocol.training);
+    summary.parameter("before", options.protocol.before);
+    summary.parameter("after", options.protocol.after);
+    let resilient = cla_core::clasm::AgentConfig::RESILIENT;
+    summary.parameter("brain", format!("{resilient:?}"));
+    for (index, damage) in options.damages.iter().enumerate() {
+        let of = Lived { trials, index };
+        summary.claims.extend(match damage {
+            Damage::None => none(&of),
+            _ => recovery(&of, &damage.id()),
+        });
+        if *damage == Damage::Camera(12.0) {
+            summary.claims.extend(camera(&of));
+        }
+        summary.table(
+            &format!("{:02} {damage}: captures", index + 1),
+            captures(&of, entrants(damage)),
+        );
+    }
+    if options.damages.len() > 2 {
+        let ahead = ahead(options, trials);
+        summary.claims.push(ahead);
+    }
+    if options.is_varied() {
+        // Numbers of another world or another length say nothing of the book's.
+        let claims = summary.claims.iter_mut();
+        claims.for_each(|claim| claim.verdict = Verdict::Extension);
+    }
+    summary
+}
+
+/// All seeds of one damage.
+pub(super) struct Lived<'a> {
+    pub(super) trials: &'a [Trial],
+    pub(super) index: usize,
+}
+
+impl Lived<'_> {
+    /// A number of each seed; NaN where the entrant did not take part.
+    pub(super) fn of(&self, who: Entrant, number: impl Fn(&Course) -> f64) -> Vec<f64> {
+        let of = |trial: &Trial| trial.course(self.index, who).map_or(f64::NAN, &number);
+        self.trials.iter().map(of).collect()
+    }
+
+    fn captures(&self, who: Entrant, from: u32, to: u32) -> Vec<f64> {
+        self.of(who, |course| course.captures(from, to))
+    }
+}
+
+fn before(course: &Course) -> f64 {
+    f64::from(course.before.iter().sum::<u32>())
+}
+
+/// What is asked of every damage.
+fn recovery(of: &Lived<'_>, id: &str) -> Vec<Claim> {
+    let claim = |name: &str, unit: &str| {
+        Expectation::new(format!("recover.{id}.{name}"), "7.1.1", unit).extension()
+    };
+    let ours = of.captures(Entrant::Surprise, 0, 3);
+    let sarsa = of.captures(Entrant::Sarsa, 0, 3);
+    let welch = welch_t(&ours, &sarsa);
+    let ratio = mean(&ours) / mean(&sarsa);
+    let late = of.captures(Entrant::Surprise, 10, 13);
+    let random = of.captures(Entrant::Random, 10, 13);
+    vec![
+        claim("relearn_3000", "share of before")
+            .note("with surprise, in the first 3000 damaged actions")
+            .judge(&of.of(Entrant::Surprise, |it| it.share(0, 3))),
+        claim("plain_3000", "share of before")
+            .note("re-learning without surprise")
+            .judge(&of.of(Entrant::Plain, |it| it.share(0, 3))),
+        claim("vs_sarsa_3000", "ratio")
+            .rule(Rule::Judged {
+                text: format!(
+                    "ratio >= 1.4 and Welch t >= 3 (t = {:.2}, p = {:.1e})",
+                    welch.t, welch.p
+                ),
+                met: ratio >= 1.4 && welch.t >= 3.0,
+            })
+            .note("captures with surprise over those of Sarsa(λ), first 3000 damaged actions")
+            .judge_ratio(&ours, &sarsa),
+        claim("relearn_10000", "share of before")
+            .rule(Rule::mean(Bound::AtLeast(0.9)))
+            .note("with surprise, damaged actions 10,000 to 13,000")
+            .judge(&of.of(Entrant::Surprise, |it| it.share(10, 13))),
+        claim("over_random", "captures in 3000 actions")
+            .rule(Rule::mean(Bound::AtLeast(0.0)))
+            .note("with surprise less random, damaged actions 10,000 to 13,000")
+            .judge(
+                &late
+                    .iter()
+                    .zip(&random)
+                    .map(|(a, b)| a - b)
+                    .collect::<Vec<_>>(),
+            ),
+    ]
+}
+
+/// What stands for "never" among actions: longer than any life.
+const NEVER: f64 = 99_999.0;
+
+/// What the book and we say of its own damage.
+fn camera(of: &Lived<'_>) -> Vec<Claim> {
+    let claim = |name: &str, section: &str, unit: &str| {
+        Expectation::new(format!("recover.camera.{name}"), section, unit)
+    };
+    let (share, of_28) = ("share of before", "captures of 28");
+    let to_90 = |who: Entrant| {
+        of.of(who, |course| {
+            let actions = course.actions_to(0.9);
+            if actions.is_finite() { actions } else { NEVER }
+        })
+    };
+    let removed = |place: usize| -> Vec<f64> {
+        of.trials
+            .iter()
+            .map(|it| f64::from(it.removed[place]))
+            .collect()
+    };
+    let ours = of.captures(Entrant::Surprise, 0, 3);
+    let told = of.captures(Entrant::Told, 0, 3);
+    let mut all = vec![
+        claim("after", "6.3", share)
+            .book(1.6 / 22.9)
+            .rule(Rule::mean(Bound::AtMost(0.15)))
+            .note(
+                "frozen from the damage on, first 3000 actions; a robot that aims 12° beside its \
+                 target reaches it in a spiral",
+            )
+            .judge(&of.of(Entrant::Frozen, |it| it.share(0, 3))),
+        claim("after_removed", "6.3", of_28)
+            .book((1.6, 0.84, 10))
+            .rule(Rule::mean(Bound::AtMost(3.4)))
+            .note("the same robot, counted as the book counts: specimens that are taken are gone")
+            .judge(&removed(0)),
+        claim("reliabilities_only", "6.3", of_28)
+            .book((17.4, 3.37, 10))
+            .rule(Rule::mean(Bound::AtLeast(17.4)))
+            .note("after 13,000 damaged actions in which only reliabilities and values adapted")
+            .judge(&removed(1)),
+        claim("reliabilities_only_late", "6.3", share)
+            .extension()
+            .note("the same robot with replacement, damaged actions 10,000 to 13,000")
+            .judge(&of.of(Entrant::Reliabilities, |it| it.share(10, 13))),
+        claim("actions_to_90", "7.1.1", "actions")
+            .extension()
+            .rule(Rule::median(Bound::AtMost(4000.0)))
+            .note("until a thousand actions brought 90 % of before; 99999 is never")
+            .judge(&to_90(Entrant::Surprise)),
+        claim("plain_actions_to_90", "7.1.1", "actions")
+            .extension()
+            .note("re-learning without surprise")
+            .judge(&to_90(Entrant::Plain)),
+        claim("sarsa_actions_to_90", "–", "actions")
+            .extension()
+            .note("Sarsa(λ), of its own before")
+            .judge(&to_90(Entrant::Sarsa)),
+        claim("vs_told_3000", "7.1.1", "ratio")
+            .extension()
+            .rule(Rule::mean(Bound::AtLeast(0.9)))
+            .note("captures with surprise over those of a servo that is told of the damage")
+            .judge_ratio(&ours, &told),
+    ];
+    for (place, when, book) in [(0, "before", 0.405), (1, "after", 0.348)] {
+        all.push(
+            claim(
+                &format!("mean_reliability_{when}"),
+                "6.3",
+                "mean reliability",
+            )
+            .book(book)
+            .rule(Rule::mean(Bound::Between(book - 0.1, book + 0.1)))
+            .note("level 1, reliabilities only; ours keeps rare alternatives, see forage")
+            .judge(&of.of(Entrant::Reliabilities, |it| mean(&it.reliabilities[place]))),
+        );
+    }
+    let baselines = [
+        ("q", Entrant::Q),
+        ("q_history", Entrant::QHistory),
+        ("sarsa_lambda", Entrant::Sarsa),
+        ("sarsa_lambda_history", Entrant::SarsaHistory),
+        ("told", Entrant::Told),
+        ("sector", Entrant::Sector),
+        ("random", Entrant::Random),
+    ];
+    for (name, who) in baselines {
+        for (part, number) in [
+            ("", before as fn(&Course) -> f64),
+            ("_damaged", |course| course.captures(0, 3)),
+        ] {
+            let when = if part.is_empty() {
+                "undamaged"
+            } else {
+                "first damaged"
+            };
+            all.push(
+                Expectation::new(
+                    format!("baseline.{name}{part}"),
+                    "–",
+                    "captures in 3000 actions",
+                )
+                .extension()
+                .note(format!("{}, {when}", who.name()))
+                .judge(&of.of(who, number)),
+            );
+        }
+    }
+    all
+}
+
+/// What false alarms cost a robot to which nothing happens.
+fn none(of: &Lived<'_>) -> Vec<Claim> {
+    let all = |course: &Course| before(course) + course.captures(0, 13);
+    let ours = of.of(Entrant::Surprise, all);
+    let plain = of.of(Entrant::Plain, all);
+    let cost: Vec<f64> = ours.iter().zip(&plain).map(|(a, b)| 1.0 - a / b).collect();
+    let ratio = 1.0 - mean(&ours) / mean(&plain);
+    let welch = welch_t(&plain, &ours);
+    vec![
+        Expectation::new("recover.none.cost", "7.1.1", "share lost")
+            .extension()
+            .rule(Rule::Judged {
+                text: format!(
+                    "1 - ratio of the means <= 0.03: {ratio:.4} (Welch t = {:.2}, n = {})",
+                    welch.t,
+                    ours.len()
+                ),
+                met: ratio <= 0.03,
+            })
+            .note("captures in 16,000 undamaged actions, with surprise over without")
+            .judge(&cost),
+        Expectation::new("recover.none.alarms", "7.1.1", "alarms in 16,000 actions")
+            .extension()
+            .judge(&of.of(Entrant::Surprise, |it| {
+                f64::from(it.alarms[0] + it.alarms[1])
+            })),
+    ]
+}
+
+/// In how many damages surprise is ahead of Sarsa(λ) at first.
+fn ahead(options: &RecoverOptions, trials: &[Trial]) -> Claim {
+    let mut behind = Vec::new();
+    let mut wins = vec![0.0; trials.len()];
+    for (index, damage) in options.damages.iter().enumerate() {
+        if *damage == Damage::None {
+            continue;
+        }
+        let of = Lived { trials, index };
+        let ours = of.captures(Entrant::Surprise, 0, 3);
+        let sarsa = of.captures(Entrant::Sarsa, 0, 3);
+        for (wins, (a, b)) in wins.iter_mut().zip(ours.iter().zip(&sarsa)) {
+            *wins += f64::from(u8::from(a > b));
+        }
+        if mean(&ours) <= mean(&sarsa) {
+            behind.push(damage.to_string());
+        }
+    }
+    Expectation::new(
+        "recover.ahead_of_sarsa",
+        "7.1.1",
+        "damages a seed is ahead in",
+    )
+    .extension()
+    .rule(Rule::Judged {
+        text: format!("behind in at most one damage: {}", behind.join(" ")),
+        met: behind.len() <= 1,
+    })
+    .note("captures with surprise against those of Sarsa(λ), first 3000 damaged actions")
+    .judge(&wins)
+}
+
+fn captures(of: &Lived<'_>, entrants: &[Entrant]) -> Table {
+    let mut table = Table::new(&[
+        "learner", "before", "0-3k", "sd", "3-6k", "10-13k", "sd ", "to 90 %", "alarms",
+    ]);
+    for &who in entrants {
+        let early = of.captures(who, 0, 3);
+        let late = of.captures(who, 10, 13);
+        let to_90 = of.of(who, |it| {
+            let actions = it.actions_to(0.9);
+            if actions.is_finite() { actions } else { NEVER }
+        });
+        let alarms = of.of(who, |it| f64::from(it.alarms[0] + it.alarms[1]));
+        let cells = [
+            mean(&of.of(who, before)),
+            mean(&early),
+            sample_sd(&early),
+            mean(&of.captures(who, 3, 6)),
+            mean(&late),
+            sample_sd(&late),
+            median(&to_90),
+            mean(&alarms),
+        ];
+        let mut line = vec![Value::from(who.name())];
+        line.extend(cells.map(Value::from));
+        table.row(line);
+    }
+    table
+}

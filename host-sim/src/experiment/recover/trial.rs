@@ -1,0 +1,245 @@
+//! One seed of the recovery experiment: who takes part, and what each of them lived through.
+//!
+//! Measures only; what the numbers mean is said in `claims`.
+
+use cla_core::clasm::{Adaptation, AgentConfig};
+
+use super::RecoverOptions;
+use super::life::{Course, Protocol, course, raise};
+use crate::baseline::random::Random;
+use crate::baseline::sector::Sector;
+use crate::baseline::tabular::{Tabular, TabularConfig};
+use crate::baseline::told::Told;
+use crate::learner::controller::Untaught;
+use crate::learner::forager::Forager;
+use crate::learner::{Learner, Thought, live};
+use crate::options::{Failure, WorldOptions};
+use crate::progress::Ticker;
+use crate::world::Percept;
+use crate::world::config::{AfterCapture, PioneerConfig};
+use crate::world::damage::{Damage, Damaged};
+
+/// Who takes part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entrant {
+    /// Level 1 that re-learns and can be surprised.
+    Surprise,
+    /// Level 1 that re-learns (book, 7.1.1).
+    Plain,
+    /// Level 1 whose reliabilities alone adapt (book, 6.3).
+    Reliabilities,
+    /// Level 1 that stops adapting when the damage comes: directly after it (book, 6.3).
+    Frozen,
+    /// Sarsa(λ).
+    Sarsa,
+    /// Sarsa(λ) with one step of history.
+    SarsaHistory,
+    /// Q-learning.
+    Q,
+    /// Q-learning with one step of history.
+    QHistory,
+    /// A servo that is told of the damage.
+    Told,
+    /// The same servo, which is not.
+    Sector,
+    /// Any action.
+    Random,
+}
+
+impl Entrant {
+    /// Everybody.
+    pub const ALL: [Self; 11] = [
+        Self::Surprise,
+        Self::Plain,
+        Self::Reliabilities,
+        Self::Frozen,
+        Self::Sarsa,
+        Self::SarsaHistory,
+        Self::Q,
+        Self::QHistory,
+        Self::Told,
+        Self::Sector,
+        Self::Random,
+    ];
+
+    /// Those whom every damage meets; the book's damage meets everybody.
+    pub const FEW: [Self; 5] = [
+        Self::Surprise,
+        Self::Plain,
+        Self::Sarsa,
+        Self::Told,
+        Self::Random,
+    ];
+
+    /// Its name in tables and figures.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Surprise => "CLA, surprise",
+            Self::Plain => "CLA, re-learning",
+            Self::Reliabilities => "CLA, reliabilities only",
+            Self::Frozen => "CLA, frozen",
+            Self::Sarsa => "Sarsa(λ)",
+            Self::SarsaHistory => "Sarsa(λ), history",
+            Self::Q => "Q-learning",
+            Self::QHistory => "Q-learning, history",
+            Self::Told => "servo, told",
+            Self::Sector => "servo, not told",
+            Self::Random => "random",
+        }
+    }
+}
+
+/// What every entrant lived through, damage by damage.
+#[derive(Clone, Debug, Default)]
+pub struct Trial {
+    /// In the order of the damages of the options.
+    pub damages: Vec<Vec<(Entrant, Course)>>,
+    /// Captures of 28 in 3000 actions with the first damage: frozen, and after the reliabilities
+    /// have adapted; counted as the book counts.
+    pub removed: [u32; 2],
+}
+
+impl Trial {
+    /// The course of one entrant with one damage.
+    #[must_use]
+    pub fn course(&self, damage: usize, who: Entrant) -> Option<&Course> {
+        let entrants = self.damages.get(damage)?;
+        entrants
+            .iter()
+            .find(|(it, _)| *it == who)
+            .map(|(_, course)| course)
+    }
+}
+
+/// Who meets a damage.
+pub(super) fn entrants(damage: &Damage) -> &'static [Entrant] {
+    match damage {
+        Damage::Camera(12.0) => &Entrant::ALL,
+        _ => &Entrant::FEW,
+    }
+}
+
+/// How many actions one seed takes, for the progress bar.
+#[must_use]
+pub fn work(options: &RecoverOptions) -> u64 {
+    let Protocol { before, after, .. } = options.protocol;
+    let courses: usize = options.damages.iter().map(|it| entrants(it).len()).sum();
+    courses as u64 * u64::from(before + after)
+}
+
+/// Runs one seed.
+///
+/// # Errors
+/// [`Failure`] when a world cannot be built or damaged so.
+pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial, Failure> {
+    let RecoverOptions {
+        world, protocol, ..
+    } = options;
+    let mut forager = Forager::born(AgentConfig::RESILIENT, Adaptation::Relearning, seed)?;
+    raise(&mut forager, world, protocol, seed)?;
+    let tabular = |config| -> Result<Tabular, Failure> {
+        let mut learner = Tabular::new(config, seed);
+        raise(&mut learner, world, protocol, seed)?;
+        Ok(learner)
+    };
+    let (sarsa, sarsa_history) = (
+        tabular(TabularConfig::SARSA)?,
+        tabular(TabularConfig::SARSA_HISTORY)?,
+    );
+    let (q, q_history) = (
+        tabular(TabularConfig::Q)?,
+        tabular(TabularConfig::Q_HISTORY)?,
+    );
+    let forward = world.config.forward;
+    let enter = |who| -> Result<Box<dyn Learner>, Failure> {
+        let surprise = AgentConfig::RESILIENT.surprise;
+        Ok(match who {
+            Entrant::Surprise => Box::new(forager.acting(Adaptation::Relearning, surprise)?),
+            Entrant::Plain => Box::new(forager.acting(Adaptation::Relearning, None)?),
+            Entrant::Reliabilities => Box::new(forager.acting(Adaptation::Reliabilities, None)?),
+            Entrant::Frozen => Box::new(Freezing(forager.acting(Adaptation::Reliabilities, None)?)),
+            Entrant::Sarsa => Box::new(sarsa.clone()),
+            Entrant::SarsaHistory => Box::new(sarsa_history.clone()),
+            Entrant::Q => Box::new(q.clone()),
+            Entrant::QHistory => Box::new(q_history.clone()),
+            Entrant::Told => Box::new(Told::new(forward, seed)),
+            Entrant::Sector => Box::new(Untaught::new(Sector::new(forward), seed)),
+            Entrant::Random => Box::new(Untaught::new(Random { actions: 6 }, seed)),
+        })
+    };
+    let mut trial = Trial::default();
+    for (index, &damage) in options.damages.iter().enumerate() {
+        let mut lived = Vec::new();
+        for &who in entrants(&damage) {
+            let mut learner = enter(who)?;
+            lived.push((who, course(&mut *learner, world, protocol, damage, seed)?));
+            ticker.advance(u64::from(protocol.before + protocol.after));
+            let place = match who {
+                _ if index > 0 => None,
+                Entrant::Frozen => Some(0),
+                Entrant::Reliabilities => Some(1),
+                _ => None,
+            };
+            if let Some(place) = place {
+                trial.removed[place] = of_28(&mut *learner, world, damage, seed)?;
+            }
+        }
+        trial.damages.push(lived);
+    }
+    Ok(trial)
+}
+
+/// Captures in 3000 actions when what is taken is gone.
+fn of_28(
+    learner: &mut dyn Learner,
+    world: &WorldOptions,
+    damage: Damage,
+    seed: u64,
+) -> Result<u32, Failure> {
+    let config = PioneerConfig {
+        after_capture: AfterCapture::Removed,
+        ..world.config
+    };
+    let world = WorldOptions {
+        config,
+        layout: world.layout.clone(),
+    };
+    let mut world = Damaged::new(super::life::fresh(&world, seed)?, damage, seed)?;
+    Ok(live(learner, &mut world, 3000)?.iter().sum())
+}
+
+/// A forager that stops adapting when the damage comes: what the experimenter freezes, not the
+/// robot.
+struct Freezing(Forager);
+
+impl Learner for Freezing {
+    fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
+        self.0.choose(now)
+    }
+
+    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
+        self.0.learn(now)
+    }
+
+    fn observe(&mut self, before: &Percept, action: usize, after: &Percept) -> Result<(), Failure> {
+        self.0.observe(before, action, after)
+    }
+
+    fn act(&mut self) -> Result<(), Failure> {
+        self.0.act()
+    }
+
+    fn hear(&mut self, _: &Damage) {
+        // A forager that has acted can be frozen.
+        let _ = self.0.brain_mut().act(Adaptation::Frozen);
+    }
+
+    fn reliabilities(&self) -> Vec<f64> {
+        self.0.reliabilities()
+    }
+
+    fn reason(&self) -> Thought {
+        self.0.reason()
+    }
+}
