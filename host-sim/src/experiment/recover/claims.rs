@@ -99,6 +99,20 @@ fn recovery(of: &Lived<'_>, id: &str) -> Vec<Claim> {
             .rule(Rule::mean(Bound::AtLeast(0.9)))
             .note("with surprise, damaged actions 10,000 to 13,000")
             .judge(&of.of(Entrant::Surprise, |it| it.share(10, 13))),
+        claim("level2_3000", "share of before")
+            .note("both levels with surprise, first 3000 damaged actions")
+            .judge(&of.of(Entrant::Both, |it| it.share(0, 3))),
+        claim("level2_10000", "share of before")
+            .rule(Rule::mean(Bound::AtLeast(0.9)))
+            .note("both levels with surprise, damaged actions 10,000 to 13,000")
+            .judge(&of.of(Entrant::Both, |it| it.share(10, 13))),
+        claim("level2_over_level1", "ratio")
+            .rule(Rule::mean(Bound::AtLeast(1.08)))
+            .note("captures of both levels over level 1, with surprise, 13,000 damaged actions")
+            .judge_ratio(
+                &of.captures(Entrant::Both, 0, 13),
+                &of.captures(Entrant::Surprise, 0, 13),
+            ),
         claim("over_random", "captures in 3000 actions")
             .rule(Rule::mean(Bound::AtLeast(0.0)))
             .note("with surprise less random, damaged actions 10,000 to 13,000")
@@ -227,6 +241,8 @@ fn camera(of: &Lived<'_>) -> Vec<Claim> {
 /// What false alarms cost a robot to which nothing happens.
 fn none(of: &Lived<'_>) -> Vec<Claim> {
     let all = |course: &Course| before(course) + course.captures(0, 13);
+    let both = of.of(Entrant::Both, all);
+    let both_ratio = mean(&both) / mean(&of.of(Entrant::Surprise, all));
     let ours = of.of(Entrant::Surprise, all);
     let plain = of.of(Entrant::Plain, all);
     let cost: Vec<f64> = ours.iter().zip(&plain).map(|(a, b)| 1.0 - a / b).collect();
@@ -245,6 +261,13 @@ fn none(of: &Lived<'_>) -> Vec<Claim> {
             })
             .note("captures in 16,000 undamaged actions, with surprise over without")
             .judge(&cost),
+        Expectation::new("recover.none.level2_over_level1", "7.1.1", "ratio")
+            .extension()
+            .rule(Rule::mean(Bound::AtLeast(1.08)))
+            .note(format!(
+                "captures in 16,000 undamaged actions, both with surprise: {both_ratio:.3}"
+            ))
+            .judge_ratio(&both, &ours),
         Expectation::new("recover.none.alarms", "7.1.1", "alarms in 16,000 actions")
             .extension()
             .judge(&of.of(Entrant::Surprise, |it| {

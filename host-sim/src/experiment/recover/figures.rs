@@ -56,7 +56,13 @@ fn curve(of: &Lived<'_>, damage: &Damage) -> Result<Picture, FigureError> {
     let drawn = entrants(damage).iter().filter(|who| {
         !matches!(
             who,
-            Entrant::SarsaHistory | Entrant::QHistory | Entrant::Sector | Entrant::Frozen
+            Entrant::SarsaHistory
+                | Entrant::QHistory
+                | Entrant::Sector
+                | Entrant::Frozen
+                | Entrant::BothPlain
+                | Entrant::BothMean
+                | Entrant::BothValue
         )
     });
     let mut span = (0.0, 0.0);

@@ -2,7 +2,8 @@
 //!
 //! Measures only; what the numbers mean is said in `claims`.
 
-use cla_core::clasm::{Adaptation, AgentConfig};
+use cla_core::clasm::{Adaptation, AgentConfig, Fallback, Level2Config};
+use cla_core::num::Rng;
 
 use super::RecoverOptions;
 use super::life::{Course, Protocol, course, raise};
@@ -22,6 +23,14 @@ use crate::world::damage::{Damage, Damaged};
 /// Who takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entrant {
+    /// Both levels, re-learning, which can be surprised and then fall back on level 1.
+    Both,
+    /// Both levels, re-learning without surprise.
+    BothPlain,
+    /// Both levels; the second is overloaded while its predictions are worse than they were (6.3).
+    BothMean,
+    /// Both levels; the one that promises more decides (6.2.3).
+    BothValue,
     /// Level 1 that re-learns and can be surprised.
     Surprise,
     /// Level 1 that re-learns (book, 7.1.1).
@@ -48,7 +57,11 @@ pub enum Entrant {
 
 impl Entrant {
     /// Everybody.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 15] = [
+        Self::Both,
+        Self::BothPlain,
+        Self::BothMean,
+        Self::BothValue,
         Self::Surprise,
         Self::Plain,
         Self::Reliabilities,
@@ -63,7 +76,8 @@ impl Entrant {
     ];
 
     /// Those whom every damage meets; the book's damage meets everybody.
-    pub const FEW: [Self; 5] = [
+    pub const FEW: [Self; 6] = [
+        Self::Both,
         Self::Surprise,
         Self::Plain,
         Self::Sarsa,
@@ -75,6 +89,10 @@ impl Entrant {
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
+            Self::Both => "CLA, two levels, surprise",
+            Self::BothPlain => "CLA, two levels, re-learning",
+            Self::BothMean => "CLA, two levels, fallback by mean",
+            Self::BothValue => "CLA, two levels, fallback by value",
             Self::Surprise => "CLA, surprise",
             Self::Plain => "CLA, re-learning",
             Self::Reliabilities => "CLA, reliabilities only",
@@ -138,6 +156,19 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
     } = options;
     let mut forager = Forager::born(AgentConfig::RESILIENT, Adaptation::Relearning, seed)?;
     raise(&mut forager, world, protocol, seed)?;
+    let both = grown(world, protocol, seed)?;
+    let with = |fallback, surprise| -> Result<Box<dyn Learner>, Failure> {
+        let mut it = both.clone();
+        let level2 = Level2Config {
+            fallback,
+            ..Level2Config::FORAGER
+        };
+        it.brain_mut().reconfigure(AgentConfig {
+            level2: Some(level2),
+            ..AgentConfig::FORAGER_LEVEL2
+        })?;
+        Ok(Box::new(it.acting(Adaptation::Relearning, surprise)?))
+    };
     let tabular = |config| -> Result<Tabular, Failure> {
         let mut learner = Tabular::new(config, seed);
         raise(&mut learner, world, protocol, seed)?;
@@ -155,6 +186,10 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
     let enter = |who| -> Result<Box<dyn Learner>, Failure> {
         let surprise = AgentConfig::RESILIENT.surprise;
         Ok(match who {
+            Entrant::Both => with(Fallback::Never, surprise)?,
+            Entrant::BothPlain => with(Fallback::Never, None)?,
+            Entrant::BothMean => with(Fallback::MeanReliability(OVERLOADED), None)?,
+            Entrant::BothValue => with(Fallback::ValueThenReliability, None)?,
             Entrant::Surprise => Box::new(forager.acting(Adaptation::Relearning, surprise)?),
             Entrant::Plain => Box::new(forager.acting(Adaptation::Relearning, None)?),
             Entrant::Reliabilities => Box::new(forager.acting(Adaptation::Reliabilities, None)?),
@@ -188,6 +223,21 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
         trial.damages.push(lived);
     }
     Ok(trial)
+}
+
+/// Share of its usual predictions below which the second level is overloaded.
+const OVERLOADED: f32 = 0.8;
+
+/// A forager whose second level was trained for as long again as its first (6.2.4).
+fn grown(world: &WorldOptions, protocol: &Protocol, seed: u64) -> Result<Forager, Failure> {
+    let mut forager = Forager::born(AgentConfig::FORAGER, Adaptation::Relearning, seed)?;
+    live(&mut forager, &mut world.build(seed)?, protocol.training)?;
+    let brain = forager.brain_mut();
+    brain.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
+    let mut other = world.build(Rng::stream(seed, 4).next_seed())?;
+    live(&mut forager, &mut other, protocol.training)?;
+    forager.act()?;
+    Ok(forager)
 }
 
 /// Captures in 3000 actions when what is taken is gone.
