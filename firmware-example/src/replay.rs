@@ -121,7 +121,8 @@ pub fn relive<const W: usize, const H: usize, const P: usize, const S: usize>(
         }
     }
     add_weights(&mut echo.weights, brain);
-    add_schemas(&mut echo, brain);
+    add_schemas(&mut echo.table, brain);
+    echo.schemas = brain.knowledge().schemas().len() as u32;
     Ok(echo)
 }
 
@@ -139,13 +140,13 @@ fn add_weights<const W: usize, const H: usize, const P: usize, const S: usize>(
     }
 }
 
-fn add_schemas<const W: usize, const H: usize, const P: usize, const S: usize>(
-    echo: &mut Echo,
+/// Adds every schema with its counts.
+pub(crate) fn add_schemas<const W: usize, const H: usize, const P: usize, const S: usize>(
+    print: &mut Fingerprint,
     brain: &Forager<W, H, P, S>,
 ) {
     let knowledge = brain.knowledge();
     for schema in knowledge.schemas() {
-        let print = &mut echo.table;
         for pattern in [schema.context, schema.result] {
             let Some(items) = knowledge.pattern(pattern) else {
                 continue;
@@ -158,7 +159,6 @@ fn add_schemas<const W: usize, const H: usize, const P: usize, const S: usize>(
         print.number(schema.reliability.activations());
         print.number(schema.reliability.successes());
     }
-    echo.schemas = knowledge.schemas().len() as u32;
 }
 
 impl fmt::Display for Echo {
