@@ -10,13 +10,14 @@ use cla_core::clasm::AgentConfig;
 use clap::Parser;
 
 use crate::cli::{
-    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, MicroworldArgs, OutArgs,
-    SeedArgs, WorldArgs,
+    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, HilArgs, McuArgs,
+    MicroworldArgs, OutArgs, SeedArgs, WorldArgs,
 };
 use crate::experiment::angle::{self, AngleConfig};
 use crate::experiment::calibrate;
 use crate::experiment::causal::{self, network::CausalConfig};
 use crate::experiment::forage::{self, ForageOptions};
+use crate::experiment::mcu;
 use crate::experiment::microworld::{self, MicroworldOptions};
 use crate::progress::Progress;
 use crate::report::Results;
@@ -64,6 +65,10 @@ pub enum Job {
     Angle(Vec<u64>),
     /// See [`microworld`].
     Microworld(MicroworldOptions),
+    /// See [`mcu`]: with these seeds.
+    Mcu(Vec<u64>),
+    /// See [`mcu::hil`]: with these seeds, actions of training and actions of the test.
+    Hil(Vec<u64>, (u32, u32)),
 }
 
 /// A job, and where its files go.
@@ -107,6 +112,14 @@ impl Order {
                 job: Job::Microworld(microworld_options(args)?),
                 out: directory(&args.out, "microworld"),
             }),
+            Command::Mcu(McuArgs { seeds: args, out }) => Ok(Self {
+                job: Job::Mcu(seeds(args)?),
+                out: directory(out, "mcu"),
+            }),
+            Command::Hil(args) => Ok(Self {
+                job: hil(args)?,
+                out: directory(&args.out, "hil"),
+            }),
         }
     }
 }
@@ -129,6 +142,8 @@ impl Job {
                 Ok(study.report()?)
             }
             Self::Microworld(options) => microworld::run(options, progress),
+            Self::Mcu(seeds) => mcu::run(seeds, progress),
+            Self::Hil(seeds, actions) => mcu::run_hil(seeds, *actions, progress),
         }
     }
 }
@@ -157,6 +172,18 @@ fn forage_options(args: &ForageArgs) -> Result<ForageOptions, Impossible> {
         options.world.build(seed)?;
     }
     Ok(options)
+}
+
+fn hil(args: &HilArgs) -> Result<Job, Impossible> {
+    if args.actions == 0 || args.test_actions == 0 {
+        return Err(Impossible::new(
+            "--actions and --test-actions must be at least 1",
+        ));
+    }
+    Ok(Job::Hil(
+        seeds(&args.seeds)?,
+        (args.actions, args.test_actions),
+    ))
 }
 
 fn microworld_options(args: &MicroworldArgs) -> Result<MicroworldOptions, Impossible> {

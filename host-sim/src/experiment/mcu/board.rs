@@ -207,6 +207,12 @@ impl Build {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Printed(String);
 
+impl From<String> for Printed {
+    fn from(text: String) -> Self {
+        Self(text)
+    }
+}
+
 impl Printed {
     /// The whole text.
     #[must_use]
