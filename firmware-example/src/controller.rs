@@ -47,8 +47,15 @@ pub enum End {
 
 /// Serves until told to stop or until the other side is gone; then, and in every silence, the robot
 /// is stopped.
-pub fn serve<const W: usize, const H: usize, const P: usize, const S: usize>(
-    brain: &mut Forager<W, H, P, S>,
+pub fn serve<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
+    brain: &mut Forager<W, H, P, S, Y, B>,
     wire: &mut impl Wire,
     body: &mut impl SafeStop,
 ) -> End {
@@ -102,10 +109,17 @@ struct Desk {
 
 impl Desk {
     /// The answer to an order; `None` to one that is dropped.
-    fn answer<const W: usize, const H: usize, const P: usize, const S: usize>(
+    fn answer<
+        const W: usize,
+        const H: usize,
+        const P: usize,
+        const S: usize,
+        const Y: usize,
+        const B: usize,
+    >(
         &mut self,
         order: Result<Numbered<Order>, Fault>,
-        brain: &mut Forager<W, H, P, S>,
+        brain: &mut Forager<W, H, P, S, Y, B>,
     ) -> Option<Numbered<Answer>> {
         let dropped = &mut self.dropped;
         let Numbered { number, message } = match order {
@@ -138,9 +152,16 @@ impl Desk {
     }
 }
 
-fn follow<const W: usize, const H: usize, const P: usize, const S: usize>(
+fn follow<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
     order: Order,
-    brain: &mut Forager<W, H, P, S>,
+    brain: &mut Forager<W, H, P, S, Y, B>,
     dropped: Dropped,
 ) -> Answer {
     let done = |outcome: Result<(), AgentError>| match outcome {
@@ -172,6 +193,10 @@ fn follow<const W: usize, const H: usize, const P: usize, const S: usize>(
                     .map(drop),
             )
         }
+        Order::SecondLevel => match brain.reconfigure(AgentConfig::FORAGER_LEVEL2) {
+            Ok(()) => Answer::Done,
+            Err(_) => Answer::Refused,
+        },
         Order::Act => done(brain.act(Adaptation::Reliabilities)),
         Order::Report => Answer::Report {
             dropped,
@@ -182,11 +207,19 @@ fn follow<const W: usize, const H: usize, const P: usize, const S: usize>(
     }
 }
 
-/// A hash of all schemas with their counts.
-pub fn knowledge<const W: usize, const H: usize, const P: usize, const S: usize>(
-    brain: &Forager<W, H, P, S>,
+/// A hash of all schemas with their counts and of all beliefs.
+pub fn knowledge<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
+    brain: &Forager<W, H, P, S, Y, B>,
 ) -> u64 {
     let mut print = Fingerprint::new();
     replay::add_schemas(&mut print, brain);
+    replay::add_beliefs(&mut print, brain);
     print.value()
 }

@@ -39,6 +39,8 @@ pub enum Order {
         /// What they say after it.
         after: u8,
     },
+    /// Begin the second level.
+    SecondLevel,
     /// Training is over: choose by value, and let reliabilities adapt.
     Act,
     /// Say what you counted and what you know.
@@ -67,7 +69,7 @@ pub enum Answer {
         dropped: Dropped,
         /// Schemas known.
         schemas: u16,
-        /// A hash of all schemas with their counts.
+        /// A hash of all schemas with their counts and of all beliefs.
         knowledge: u64,
     },
 }

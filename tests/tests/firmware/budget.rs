@@ -101,8 +101,10 @@ fn instructions_of_every_part_of_a_step_are_those_of_the_budget() {
     for (profile, features) in PROFILES {
         let printed = Target::ALL.map(|target| run_once(&program(target, features)));
         for (part, words) in [
-            ("choose", &["mean", "worst"][..]),
-            ("learn", &["mean", "worst"]),
+            ("tick_level1", &["mean", "worst"][..]),
+            ("choose_level2", &["mean", "worst"]),
+            ("learn_level2", &["mean", "worst"]),
+            ("tick_level2", &["mean", "worst"]),
             ("harvest", &["worst"]),
             ("settle", &["worst"]),
         ] {
@@ -112,7 +114,10 @@ fn instructions_of_every_part_of_a_step_are_those_of_the_budget() {
                     (number > 0).then_some(number)
                 };
                 rows.push((
-                    format!("{profile}: {part}, {word}"),
+                    format!(
+                        "{profile}: {}, {word}",
+                        part.replace("_level", " at level ")
+                    ),
                     printed.iter().map(cell).collect(),
                 ));
             }

@@ -9,7 +9,7 @@ use cla_core::num::Rng;
 use firmware_example::replay::{Forager, be_born, relive};
 use firmware_example::trace;
 
-use super::board::{Build, Printed, Target, section_bytes};
+use super::board::{Build, Target, section_bytes};
 use super::hil::{self, Life};
 use super::peers;
 use crate::experiment::forage::life::live;
@@ -82,12 +82,19 @@ fn extension(id: &str, unit: &str) -> Expectation {
 }
 
 /// The recorded life on this machine, as the firmware prints it.
-fn here<const W: usize, const H: usize, const P: usize, const S: usize>(
-    brain: Forager<W, H, P, S>,
+fn here<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
+    brain: Forager<W, H, P, S, Y, B>,
     actions: u32,
 ) -> Result<String, Failure> {
     let mut brain = Box::new(brain);
-    let echo = relive(&mut brain, trace::SEED, trace::steps(actions), |_| {})?;
+    let echo = relive(&mut brain, trace::SEED, actions, |_| {})?;
     Ok(echo.to_string())
 }
 
@@ -111,12 +118,22 @@ fn boards() -> Result<Vec<Claim>, Failure> {
                 ))
                 .judge_share(&[printed.text().starts_with(expected.as_str())]),
         );
-        let tick = worst_tick(&printed)?;
-        all.push(
-            extension(&format!("mcu.tick.level1.{name}"), "instructions")
-                .note("worst choice and worst learning step together, harvests apart")
-                .judge(&[tick]),
-        );
+        for level in ["level1", "level2"] {
+            let tick = |word| printed.number(&format!("tick_{level} instructions"), word);
+            let aim = match (level, target) {
+                ("level2", Target::M4f) => Some(60_000.0),
+                ("level2", Target::M0) => Some(250_000.0),
+                _ => None,
+            };
+            let mut claim = extension(&format!("mcu.tick.{level}.{name}"), "instructions").note(format!(
+                "mean of choosing and learning together; worst {}; harvests apart; f32 maps of 20 × 20",
+                tick("worst")?
+            ));
+            if let Some(aim) = aim {
+                claim = claim.rule(Rule::mean(Bound::AtMost(aim)));
+            }
+            all.push(claim.judge(&[tick("mean")? as f64]));
+        }
         if target == Target::M4f {
             stack = printed.number("stack bytes", "")?;
         }
@@ -130,7 +147,7 @@ fn boards() -> Result<Vec<Claim>, Failure> {
     all.push(
         extension("mcu.ram.small_profile", "bytes")
             .rule(Rule::mean(Bound::AtMost(100.0 * 1024.0)))
-            .note("all statics of the program; level 1")
+            .note("all statics of the program; both levels")
             .judge(&[printed.number("static bytes", "")? as f64]),
     );
     all.push(
@@ -140,12 +157,6 @@ fn boards() -> Result<Vec<Claim>, Failure> {
             .judge(&[stack as f64]),
     );
     Ok(all)
-}
-
-fn worst_tick(printed: &Printed) -> Result<f64, Failure> {
-    let choose = printed.number("choose instructions", "worst")?;
-    let learn = printed.number("learn instructions", "worst")?;
-    Ok((choose + learn) as f64)
 }
 
 fn kernels() -> Result<Vec<Claim>, Failure> {
@@ -211,7 +222,7 @@ fn in_the_loop(lives: &[Life]) -> Vec<Claim> {
         .collect();
     vec![
         extension("mcu.hil.captures", "captures in the test")
-            .note("the firmware's brain from birth, level 1; every choice is the host brain's, see mcu.hil.same")
+            .note("the firmware's brain from birth, both levels; every choice is the host brain's, see mcu.hil.same")
             .judge(&of(|it| f64::from(it.captures))),
         extension("mcu.hil.same", "share of seeds")
             .rule(Rule::mean(Bound::AtLeast(1.0)))
@@ -224,17 +235,24 @@ fn in_the_loop(lives: &[Life]) -> Vec<Claim> {
 }
 
 /// Captures of one profile in the test of `forage`.
-fn captures<const W: usize, const H: usize, const P: usize, const S: usize>(
-    brain: Forager<W, H, P, S>,
+fn captures<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
+    brain: Forager<W, H, P, S, Y, B>,
     seed: u64,
 ) -> Result<u32, Failure> {
-    let mut brain: Box<Forager<W, H, P, S>> = Box::new(brain);
+    let mut brain: Box<Forager<W, H, P, S, Y, B>> = Box::new(brain);
     be_born(&mut brain, AgentConfig::FORAGER, seed)?;
-    live(
-        &mut *brain,
-        &mut Pioneer::new(PioneerConfig::NOISY, seed)?,
-        ACTIONS.0,
-    )?;
+    let mut world = Pioneer::new(PioneerConfig::NOISY, seed)?;
+    live(&mut *brain, &mut world, ACTIONS.0)?;
+    brain.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
+    let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 4).next_seed())?;
+    live(&mut *brain, &mut world, ACTIONS.0)?;
     brain.act(Adaptation::Reliabilities)?;
     let test = Rng::stream(seed, 1).next_seed();
     let mut world = Pioneer::new(PioneerConfig::NOISY, test)?;
@@ -261,7 +279,7 @@ fn small_profile(seeds: &[u64], progress: &Progress) -> Result<Vec<Claim>, Failu
         )
         .rule(Rule::mean(Bound::AtLeast(0.97)))
         .note(format!(
-            "level 1; {:.1} against {:.1} in 3000 actions",
+            "both levels; {:.1} against {:.1} in 3000 actions",
             mean(&small),
             mean(&large)
         ))

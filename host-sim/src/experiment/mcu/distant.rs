@@ -197,6 +197,14 @@ impl Distant {
         }
     }
 
+    /// Begins the second level.
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask).
+    pub fn begin_second_level(&mut self) -> Result<(), Failure> {
+        self.tell(Order::SecondLevel)
+    }
+
     /// Ends training.
     ///
     /// # Errors

@@ -76,7 +76,8 @@ impl Mind for Twins {
     }
 }
 
-/// Lives `actions` actions of training and a test as in `forage`, with a program of the firmware.
+/// Lives `actions` actions of training with one level, as many with both, and a test, as in
+/// `forage`, with a program of the firmware.
 ///
 /// # Errors
 /// [`Failure`] when the firmware cannot be started, dies, or chooses another action.
@@ -97,6 +98,10 @@ pub fn run(
         same: 0,
     };
     let mut world = Pioneer::new(PioneerConfig::NOISY, seed)?;
+    live(&mut twins, &mut world, actions)?;
+    twins.distant.begin_second_level()?;
+    twins.here.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
+    let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 4).next_seed())?;
     live(&mut twins, &mut world, actions)?;
     twins.distant.act()?;
     twins.here.act(Adaptation::Reliabilities)?;
