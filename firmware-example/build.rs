@@ -30,7 +30,7 @@ fn main() {
     fs::write(Path::new(&out).join("memory.x"), memory).expect("cargo's folder can be written");
     println!("cargo::rustc-link-search={out}");
     // The proof of panic-freedom is not a program: it brings its own entry and has no memory.
-    for program in ["firmware", "kernels"] {
+    for program in ["firmware", "kernels", "controller"] {
         println!("cargo::rustc-link-arg-bin={program}=-Tlink.x");
     }
 }

@@ -26,6 +26,8 @@ crate::brain! {
         maps: 10 x 10,
         patterns: 64,
         schemas: 512,
-        ram: 72_000,
+        synthetic: 384,
+        beliefs: 3072,
+        ram: 112_000,
     }
 }

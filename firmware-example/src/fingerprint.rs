@@ -20,6 +20,12 @@ impl Fingerprint {
         Self(0xcbf2_9ce4_8422_2325)
     }
 
+    /// The number.
+    #[must_use]
+    pub const fn value(&self) -> u64 {
+        self.0
+    }
+
     /// Adds bytes.
     pub fn bytes(&mut self, bytes: &[u8]) {
         for &byte in bytes {

@@ -6,7 +6,9 @@
 
 #[cfg(target_os = "none")]
 pub mod board;
+pub mod controller;
 pub mod fingerprint;
+pub mod link;
 pub mod replay;
 pub mod trace;
 

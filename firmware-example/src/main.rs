@@ -18,6 +18,19 @@ const ACTIONS: u32 = if cfg!(target_abi = "eabihf") {
     trace::ACTIONS / 10
 };
 
+/// What is measured: the parts of a step while level 1 learns alone and with both levels, a whole
+/// step of each, a step that harvests, and the end of training.
+const NAMES: [&str; 8] = [
+    "choose_level1",
+    "learn_level1",
+    "tick_level1",
+    "choose_level2",
+    "learn_level2",
+    "tick_level2",
+    "harvest",
+    "settle",
+];
+
 /// Instructions of one part of a step.
 #[derive(Default)]
 struct Cost {
@@ -49,16 +62,42 @@ fn main() -> ! {
     // SAFETY: this runs once, and no interrupt touches the brain.
     #[allow(unsafe_code)]
     let brain = unsafe { &mut *brain };
-    let mut costs: [Cost; 4] = Default::default();
+    let mut costs: [Cost; NAMES.len()] = Default::default();
+    let (mut second, mut choosing) = (false, None);
     let mut counter = board::Counter::start();
-    let lived = relive(brain, trace::SEED, trace::steps(ACTIONS), |moment| {
+    let lived = relive(brain, trace::SEED, ACTIONS, |moment| {
         let instructions = counter.lap();
-        let [choose, learn, harvest, settle] = &mut costs;
+        let [
+            choose1,
+            learn1,
+            tick1,
+            choose2,
+            learn2,
+            tick2,
+            harvest,
+            settle,
+        ] = &mut costs;
+        let (choose, learn, tick) = match second {
+            false => (choose1, learn1, tick1),
+            true => (choose2, learn2, tick2),
+        };
         match moment {
             Moment::Sensed => {}
-            Moment::Chosen => choose.add(instructions),
-            Moment::Learned => learn.add(instructions),
-            Moment::Harvested => harvest.add(instructions),
+            Moment::SecondLevel => second = true,
+            Moment::Chosen => {
+                choose.add(instructions);
+                choosing = Some(instructions);
+            }
+            Moment::Learned => {
+                learn.add(instructions);
+                if let Some(choosing) = choosing.take() {
+                    tick.add(choosing + instructions);
+                }
+            }
+            Moment::Harvested => {
+                harvest.add(instructions);
+                choosing = None;
+            }
             Moment::Settled => settle.add(instructions),
         }
     });
@@ -67,7 +106,7 @@ fn main() -> ! {
     match lived {
         Ok(echo) => {
             println!("{echo}");
-            for (part, cost) in ["choose", "learn", "harvest", "settle"].iter().zip(&costs) {
+            for (part, cost) in NAMES.iter().zip(&costs) {
                 println!(
                     "{part} instructions mean {} worst {}",
                     cost.mean(),

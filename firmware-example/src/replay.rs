@@ -10,11 +10,17 @@ use cla_core::clasm::{Adaptation, Agent, AgentConfig, AgentError, ConfigError};
 use cla_core::forager::pioneer::{ITEMS, Item};
 
 use crate::fingerprint::Fingerprint;
-use crate::trace::{Step, TRAINING};
+use crate::trace;
 
 /// The brain of a forager, whatever its capacities.
-pub type Forager<const W: usize, const H: usize, const PATTERNS: usize, const SCHEMAS: usize> =
-    Agent<1, 7, W, H, 6, PATTERNS, SCHEMAS>;
+pub type Forager<
+    const W: usize,
+    const H: usize,
+    const PATTERNS: usize,
+    const SCHEMAS: usize,
+    const SYNTHETIC: usize,
+    const BELIEFS: usize,
+> = Agent<1, 7, W, H, 6, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>;
 
 /// A moment of a step, for whoever measures what lies between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +33,8 @@ pub enum Moment {
     Learned,
     /// The brain has learned and read its maps into schemas.
     Harvested,
+    /// The second level has begun.
+    SecondLevel,
     /// Training is over: the brain has settled its values.
     Settled,
 }
@@ -46,16 +54,37 @@ pub struct Echo {
     pub distances: Fingerprint,
     /// Every schema at the end, with its counts.
     pub table: Fingerprint,
-    /// Every choice, with its reason and value.
+    /// Every belief of the second level at the end.
+    pub beliefs: Fingerprint,
+    /// Every choice, with its level, reason and value.
     pub choices: Fingerprint,
+}
+
+/// Actions of a life before its second level begins.
+#[must_use]
+pub const fn second_level_at(actions: u32) -> u32 {
+    actions / 2
+}
+
+/// Actions of a life before training is over.
+#[must_use]
+pub const fn acting_at(actions: u32) -> u32 {
+    actions / 10 * 9
 }
 
 /// Begins the life of a forager: what is in the gripper is worth having.
 ///
 /// # Errors
 /// [`ConfigError`] for a configuration that cannot work.
-pub fn be_born<const W: usize, const H: usize, const P: usize, const S: usize>(
-    brain: &mut Forager<W, H, P, S>,
+pub fn be_born<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
+    brain: &mut Forager<W, H, P, S, Y, B>,
     config: AgentConfig,
     seed: u64,
 ) -> Result<(), ConfigError> {
@@ -67,23 +96,38 @@ pub fn be_born<const W: usize, const H: usize, const P: usize, const S: usize>(
     Ok(())
 }
 
-/// Lives the recorded steps with a brain that is born for it.
+/// Lives the first `actions` recorded actions with a brain that is born for it.
 ///
+/// The second level begins after half of them; after nine tenths training is over, and the brain
+/// acts and goes on learning.
 /// Where the brain would choose otherwise than recorded it is shown the recorded action instead, so
 /// that an old recording stays usable, and other brains can live it too.
 ///
 /// # Errors
 /// [`ReplayError`] when the brain refuses.
-pub fn relive<const W: usize, const H: usize, const P: usize, const S: usize>(
-    brain: &mut Forager<W, H, P, S>,
+pub fn relive<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
+    brain: &mut Forager<W, H, P, S, Y, B>,
     seed: u64,
-    steps: impl Iterator<Item = Step>,
+    actions: u32,
     mut at: impl FnMut(Moment),
 ) -> Result<Echo, ReplayError> {
     be_born(brain, AgentConfig::FORAGER, seed).map_err(ReplayError::Config)?;
     let mut echo = Echo::default();
-    for step in steps {
-        if echo.actions == TRAINING && !step.reflex {
+    for step in trace::steps(actions) {
+        if !step.reflex && echo.actions == second_level_at(actions) {
+            brain
+                .reconfigure(AgentConfig::FORAGER_LEVEL2)
+                .map_err(ReplayError::Config)?;
+            at(Moment::SecondLevel);
+        }
+        if !step.reflex && echo.actions == acting_at(actions) {
             at(Moment::Sensed);
             brain
                 .act(Adaptation::Relearning)
@@ -100,6 +144,8 @@ pub fn relive<const W: usize, const H: usize, const P: usize, const S: usize>(
             echo.agreed += u32::from(agreed);
             echo.choices.number(choice.action.0.into());
             echo.choices.number(choice.reason as u32);
+            echo.choices
+                .number(choice.level.map_or(0, |level| level as u32 + 1));
             echo.choices.float(choice.value);
             at(Moment::Sensed);
         }
@@ -121,13 +167,22 @@ pub fn relive<const W: usize, const H: usize, const P: usize, const S: usize>(
         }
     }
     add_weights(&mut echo.weights, brain);
-    add_schemas(&mut echo, brain);
+    add_schemas(&mut echo.table, brain);
+    add_beliefs(&mut echo.beliefs, brain);
+    echo.schemas = brain.knowledge().schemas().len() as u32;
     Ok(echo)
 }
 
-fn add_weights<const W: usize, const H: usize, const P: usize, const S: usize>(
+fn add_weights<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
     print: &mut Fingerprint,
-    brain: &Forager<W, H, P, S>,
+    brain: &Forager<W, H, P, S, Y, B>,
 ) {
     for map in brain.bank().maps() {
         for node in map.nodes() {
@@ -139,13 +194,20 @@ fn add_weights<const W: usize, const H: usize, const P: usize, const S: usize>(
     }
 }
 
-fn add_schemas<const W: usize, const H: usize, const P: usize, const S: usize>(
-    echo: &mut Echo,
-    brain: &Forager<W, H, P, S>,
+/// Adds every schema with its counts.
+pub(crate) fn add_schemas<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
+    print: &mut Fingerprint,
+    brain: &Forager<W, H, P, S, Y, B>,
 ) {
     let knowledge = brain.knowledge();
     for schema in knowledge.schemas() {
-        let print = &mut echo.table;
         for pattern in [schema.context, schema.result] {
             let Some(items) = knowledge.pattern(pattern) else {
                 continue;
@@ -158,7 +220,25 @@ fn add_schemas<const W: usize, const H: usize, const P: usize, const S: usize>(
         print.number(schema.reliability.activations());
         print.number(schema.reliability.successes());
     }
-    echo.schemas = knowledge.schemas().len() as u32;
+}
+
+/// Adds every belief of the second level.
+pub(crate) fn add_beliefs<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+>(
+    print: &mut Fingerprint,
+    brain: &Forager<W, H, P, S, Y, B>,
+) {
+    for belief in brain.second_level().beliefs() {
+        print.number(belief.trace.0.into());
+        print.number(belief.item.0.into());
+        print.float(belief.on);
+    }
 }
 
 impl fmt::Display for Echo {
@@ -167,6 +247,7 @@ impl fmt::Display for Echo {
         writeln!(f, "weights {}", self.weights)?;
         writeln!(f, "distances {}", self.distances)?;
         writeln!(f, "schemas {} ({})", self.table, self.schemas)?;
+        writeln!(f, "beliefs {}", self.beliefs)?;
         writeln!(f, "choices {}", self.choices)
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! The percept before, the action, the percept after it; a percept is one bit an item, item 0
 //! lowest, and an action that was a reflex has bit 7.
-//! The recording is that of a brain with the seed [`SEED`] in the reference world, which trains for
-//! [`TRAINING`] actions and then acts and goes on learning; make it again with
+//! The recording is that of a brain with the seed [`SEED`] in the reference world, which lives as
+//! [`relive`](crate::replay::relive) says; make it again with
 //! `cargo run --release -p host-sim --example record_trace`.
 
 use cla_core::clasm::{ActionId, ItemId};
@@ -14,9 +14,6 @@ pub const SEED: u64 = 7;
 
 /// Recorded actions; the steps of reflexes come on top.
 pub const ACTIONS: u32 = 20_000;
-
-/// Actions of training.
-pub const TRAINING: u32 = 10_000;
 
 /// The recording.
 pub static RECORDED: &[u8] = include_bytes!("../trace.bin");

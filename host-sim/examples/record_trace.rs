@@ -8,7 +8,8 @@ use std::path::Path;
 
 use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
 use cla_core::forager::pioneer::{self, Brain, Percept};
-use firmware_example::trace::{ACTIONS, SEED, Step, TRAINING};
+use firmware_example::replay::{acting_at, second_level_at};
+use firmware_example::trace::{ACTIONS, SEED, Step};
 use host_sim::experiment::forage::life::{Mind, live};
 use host_sim::options::Failure;
 use host_sim::report::Output;
@@ -69,9 +70,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         chosen: None,
         trace: Vec::new(),
     };
-    live(&mut recorder, &mut world, TRAINING).map_err(|error| error.to_string())?;
+    let (second, acting) = (second_level_at(ACTIONS), acting_at(ACTIONS));
+    live(&mut recorder, &mut world, second).map_err(|error| error.to_string())?;
+    recorder.brain.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
+    live(&mut recorder, &mut world, acting - second).map_err(|error| error.to_string())?;
     recorder.brain.act(Adaptation::Relearning)?;
-    live(&mut recorder, &mut world, ACTIONS - TRAINING).map_err(|error| error.to_string())?;
+    live(&mut recorder, &mut world, ACTIONS - acting).map_err(|error| error.to_string())?;
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-example");
     let path = Output::prepare(folder)?.write("trace.bin", &recorder.trace)?;
     println!("{} captures, wrote {}", world.captures(), path.display());

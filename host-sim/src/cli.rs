@@ -33,6 +33,10 @@ pub enum Command {
     Recover(RecoverArgs),
     /// An eye, a hand and a ball: schemas, goals and persistent objects (book, 5.4).
     Microworld(MicroworldArgs),
+    /// The brain on emulated microcontrollers: the same bits, what it costs, others beside it.
+    Mcu(McuArgs),
+    /// The simulated robot lives with a brain in an emulated controller.
+    Hil(HilArgs),
 }
 
 /// Where the files of a run go.
@@ -160,6 +164,34 @@ pub struct MicroworldArgs {
     /// Pursue this item, such as +hp22 or +taste1, and show the steps instead of the experiment.
     #[arg(long, value_name = "+ITEM", allow_hyphen_values = true)]
     pub goal: Option<String>,
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `mcu`.
+#[derive(Clone, Debug, Args)]
+pub struct McuArgs {
+    /// Which lives.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// Where the files go.
+    #[command(flatten)]
+    pub out: OutArgs,
+}
+
+/// Arguments of `hil`.
+#[derive(Clone, Debug, Args)]
+pub struct HilArgs {
+    /// Which lives.
+    #[command(flatten)]
+    pub seeds: SeedArgs,
+    /// Actions of training.
+    #[arg(long, value_name = "N", default_value_t = 10_000)]
+    pub actions: u32,
+    /// Actions of the test.
+    #[arg(long, value_name = "N", default_value_t = 3_000)]
+    pub test_actions: u32,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,

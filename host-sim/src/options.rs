@@ -10,13 +10,14 @@ use cla_core::clasm::AgentConfig;
 use clap::Parser;
 
 use crate::cli::{
-    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, MicroworldArgs, OutArgs,
-    RecoverArgs, SeedArgs, WorldArgs,
+    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, HilArgs, McuArgs,
+    MicroworldArgs, OutArgs, RecoverArgs, SeedArgs, WorldArgs,
 };
 use crate::experiment::angle::{self, AngleConfig};
 use crate::experiment::calibrate;
 use crate::experiment::causal::{self, network::CausalConfig};
 use crate::experiment::forage::{self, ForageOptions};
+use crate::experiment::mcu;
 use crate::experiment::microworld::{self, MicroworldOptions};
 use crate::experiment::recover::life::Protocol;
 use crate::experiment::recover::{self, RecoverOptions};
@@ -69,6 +70,10 @@ pub enum Job {
     Recover(Box<RecoverOptions>),
     /// See [`microworld`].
     Microworld(MicroworldOptions),
+    /// See [`mcu`]: with these seeds.
+    Mcu(Vec<u64>),
+    /// See [`mcu::hil`]: with these seeds, actions of training and actions of the test.
+    Hil(Vec<u64>, (u32, u32)),
 }
 
 /// A job, and where its files go.
@@ -116,6 +121,14 @@ impl Order {
                 job: Job::Microworld(microworld_options(args)?),
                 out: directory(&args.out, "microworld"),
             }),
+            Command::Mcu(McuArgs { seeds: args, out }) => Ok(Self {
+                job: Job::Mcu(seeds(args)?),
+                out: directory(out, "mcu"),
+            }),
+            Command::Hil(args) => Ok(Self {
+                job: hil(args)?,
+                out: directory(&args.out, "hil"),
+            }),
         }
     }
 }
@@ -139,6 +152,8 @@ impl Job {
             }
             Self::Recover(options) => recover::run(options, progress),
             Self::Microworld(options) => microworld::run(options, progress),
+            Self::Mcu(seeds) => mcu::run(seeds, progress),
+            Self::Hil(seeds, actions) => mcu::run_hil(seeds, *actions, progress),
         }
     }
 }
@@ -202,6 +217,18 @@ fn recover_options(args: &RecoverArgs) -> Result<RecoverOptions, Impossible> {
         Damaged::new(options.world.build(0)?, damage, 0).map_err(Impossible::new)?;
     }
     Ok(options)
+}
+
+fn hil(args: &HilArgs) -> Result<Job, Impossible> {
+    if args.actions == 0 || args.test_actions == 0 {
+        return Err(Impossible::new(
+            "--actions and --test-actions must be at least 1",
+        ));
+    }
+    Ok(Job::Hil(
+        seeds(&args.seeds)?,
+        (args.actions, args.test_actions),
+    ))
 }
 
 fn microworld_options(args: &MicroworldArgs) -> Result<MicroworldOptions, Impossible> {

@@ -202,6 +202,8 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
         self.samples
     }
 
+    /// A frame of its own: a caller that inlines it has its stack on top of everything else's.
+    #[inline(never)]
     fn train<const WORDS: usize>(
         &mut self,
         sample: &Sample<WORDS>,

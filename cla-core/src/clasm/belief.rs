@@ -240,15 +240,28 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                     item,
                     on: 1.0,
                 };
-                if self.beliefs.insert(index, new).is_ok() {
+                if self.insert(index, new) {
                     return;
                 }
                 self.drop_weakest();
                 let index = self.beliefs.partition_point(|it| key(it) < (trace, item));
                 // There is room now, unless the capacity is 0.
-                let _ = self.beliefs.insert(index, new);
+                let _ = self.insert(index, new);
             }
         }
+    }
+
+    /// Whether there was room; the table's own method has a panic path, for an index that is too
+    /// large.
+    fn insert(&mut self, index: usize, new: Belief) -> bool {
+        let room = self.beliefs.push(new).is_ok();
+        if room {
+            let mut carried = new;
+            for place in self.beliefs.iter_mut().skip(index) {
+                core::mem::swap(place, &mut carried);
+            }
+        }
+        room
     }
 
     fn drop_weakest(&mut self) {
@@ -258,8 +271,10 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                 least = Some((belief.on, index));
             }
         }
-        if let Some((_, index)) = least {
-            self.beliefs.remove(index);
+        if let (Some((_, index)), Some(mut carried)) = (least, self.beliefs.pop()) {
+            for place in self.beliefs.iter_mut().skip(index).rev() {
+                core::mem::swap(place, &mut carried);
+            }
         }
         self.losses.evicted_beliefs = self.losses.evicted_beliefs.saturating_add(1);
     }

@@ -105,7 +105,7 @@ entries! {
     sets {
         // What a robot needs that only acts, and what one needs that learns.
         "acting" = ["choose", "knowledge_record", "improve_values"],
-        "training" = ["begin", "choose", "learn", "observe", "act"],
+        "training" = ["begin", "reconfigure", "choose", "learn", "observe", "act"],
     }
     "control" (slice: &[u8], index: usize) -> u8 { slice[index] }
 
@@ -222,7 +222,7 @@ entries! {
         it.record(x);
         it.overloaded(x) ^ (it.recorded() > 3)
     }
-    "fallback" (overloaded: [bool; 3]) -> Option<Level> { answering_level(overloaded) }
+    "fallback" (overloaded: [bool; 3]) -> Option<cla_core::layer::Level> { answering_level(overloaded) }
 
     "be_born" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
         config.check()?;
@@ -231,6 +231,9 @@ entries! {
     "action_of" (id: ActionId) -> Option<Action> { Action::of(id) }
     "begin" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
         brain.begin(config, seed)
+    }
+    "reconfigure" (brain: &mut Agent6, config: AgentConfig) -> Result<(), ConfigError> {
+        brain.reconfigure(config)
     }
     "choose" (brain: &mut Agent6, now: &Percept) -> Result<Choice, AgentError> { brain.choose(now) }
     "learn" (brain: &mut Agent6, now: &Percept) -> Result<Lesson, AgentError> { brain.learn(now) }
@@ -250,6 +253,16 @@ entries! {
         harvest_node::<1, 20, 20, 7, _>(map, node, coding, config).is_some()
     }
 
+    "second_level" (
+        it: &mut SecondLevel<6, 384, 3072>, tables: &Tables, trace: SyntheticId, action: ActionId,
+        schema: SchemaId, values: &ValueConfig, config: &Level2Config,
+    ) -> f32 {
+        it.forget(trace, action, 0.5);
+        let item = it.most_believed(trace, action).filter(|_| it.items() > 1).unwrap_or(trace);
+        let known = it.schema(item).is_some() ^ it.is_overloaded(0.5) ^ it.beliefs().is_empty();
+        let evidence = it.tried(trace, action) + it.uses(item) + it.value(item);
+        evidence + it.belief(tables, trace, schema, values, config) + f32::from(u8::from(known))
+    }
     "knowledge_read" (it: &mut Tables, pattern: PatternId) -> Option<SignedItems<1>> {
         let found = it.pattern(pattern).or(it.pattern(it.schemas().last()?.context));
         let some = it.patterns() > 3;

@@ -11,6 +11,8 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::{env, fs};
 
+use object::{Object, ObjectSection};
+
 use crate::options::{Failure, Impossible};
 
 /// A processor that QEMU emulates.
@@ -205,6 +207,12 @@ impl Build {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Printed(String);
 
+impl From<String> for Printed {
+    fn from(text: String) -> Self {
+        Self(text)
+    }
+}
+
 impl Printed {
     /// The whole text.
     #[must_use]
@@ -237,6 +245,18 @@ impl Printed {
         let number = words.next().and_then(|digits| digits.parse().ok());
         number.ok_or_else(|| Impossible::new(format!("no number after {start} … {word}: {line}")))
     }
+}
+
+/// Bytes of the sections of a program whose names begin with `name`.
+///
+/// # Errors
+/// For a file that cannot be read or is no program.
+pub fn section_bytes(program: &Path, name: &str) -> Result<u64, Failure> {
+    let bytes = fs::read(program)?;
+    let file = object::File::parse(&*bytes)?;
+    let sections = file.sections();
+    let named = sections.filter(|it| it.name().is_ok_and(|it| it.starts_with(name)));
+    Ok(named.map(|it| it.size()).sum())
 }
 
 /// The folder of the firmware, beside this crate's.

@@ -1,0 +1,257 @@
+//! A brain in an emulated controller, asked over the wire: the host's end of it.
+//!
+//! Every question waits for its answer; one that stays away is asked again under the same number,
+//! which the other side answers without doing it twice.
+//! A controller that dies is noticed at once, with how it ended and its last words.
+
+use std::io::{Read, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use cla_core::clasm::ActionId;
+use cla_core::forager::pioneer::Percept;
+use firmware_example::link::{self, Answer, FRAME, Numbered, Order, encode};
+use firmware_example::trace::to_bits;
+
+use super::board::Target;
+use crate::experiment::forage::life::Mind;
+use crate::options::{Failure, Impossible};
+
+/// How long an answer may stay away before it is asked for again.
+const PATIENCE: Duration = Duration::from_secs(5);
+/// How often a question is asked.
+const ATTEMPTS: u32 = 3;
+
+/// A controller in the emulator.
+pub struct Distant {
+    child: Child,
+    to: Option<ChildStdin>,
+    from: Receiver<Vec<u8>>,
+    receiver: link::Receiver,
+    waiting: Vec<u8>,
+    number: u32,
+    value: u32,
+}
+
+impl Distant {
+    /// Starts a program on a board and lets its brain be born.
+    ///
+    /// # Errors
+    /// [`Failure`] when there is no emulator, or the firmware does not answer.
+    pub fn start(target: Target, program: &Path, seed: u64) -> Result<Self, Failure> {
+        let mut it = Self::connect(target, program)?;
+        match it.ask(Order::Begin { seed })? {
+            Answer::Done => Ok(it),
+            other => Err(unexpected(other)),
+        }
+    }
+
+    /// Starts a program on a board.
+    ///
+    /// # Errors
+    /// [`Failure`] when there is no emulator.
+    pub fn connect(target: Target, program: &Path) -> Result<Self, Failure> {
+        let mut emulator = target.emulator(program);
+        emulator
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        let name = emulator.get_program().to_string_lossy().into_owned();
+        let mut child = emulator
+            .spawn()
+            .map_err(|error| Impossible::new(format!("{name} cannot be run: {error}")))?;
+        let to = child.stdin.take();
+        let mut stream = child.stdout.take().ok_or("a child without output")?;
+        let (sender, from) = channel();
+        thread::spawn(move || {
+            let mut bytes = [0; FRAME];
+            while let Ok(count @ 1..) = stream.read(&mut bytes) {
+                if sender.send(bytes[..count].to_vec()).is_err() {
+                    return;
+                }
+            }
+        });
+        Ok(Self {
+            child,
+            to,
+            from,
+            receiver: link::Receiver::new(),
+            waiting: Vec::new(),
+            number: 0,
+            value: 0,
+        })
+    }
+
+    /// Asks, and waits for the answer.
+    ///
+    /// # Errors
+    /// [`Failure`] when the firmware died or does not answer.
+    pub fn ask(&mut self, order: Order) -> Result<Answer, Failure> {
+        self.number += 1;
+        let message = Numbered {
+            number: self.number,
+            message: order,
+        };
+        let mut frame = [0; FRAME];
+        let frame = encode(&message, &mut frame).ok_or("an order that does not fit a frame")?;
+        for _ in 0..ATTEMPTS {
+            self.send(frame)?;
+            if let Some(answer) = self.hear()? {
+                return Ok(answer);
+            }
+        }
+        let seconds = (PATIENCE * ATTEMPTS).as_secs();
+        Err(format!("the firmware has not answered for {seconds} seconds").into())
+    }
+
+    /// Sends bytes as they are: what a noisy wire would deliver.
+    ///
+    /// # Errors
+    /// [`Failure`] when the firmware died.
+    pub fn send(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        let sent = match &mut self.to {
+            Some(to) => to.write_all(bytes).and_then(|()| to.flush()),
+            None => return Err("the wire was cut".into()),
+        };
+        sent.or_else(|_| Err(self.obituary()))
+    }
+
+    /// The answer to the present number; `None` when it stays away. Older answers are passed over.
+    fn hear(&mut self) -> Result<Option<Answer>, Failure> {
+        loop {
+            while let Some(byte) = self.waiting.pop() {
+                if let Some(Ok(answer)) = self.receiver.take::<Answer>(byte)
+                    && answer.number == self.number
+                {
+                    return Ok(Some(answer.message));
+                }
+            }
+            match self.from.recv_timeout(PATIENCE) {
+                Ok(mut bytes) => {
+                    bytes.reverse();
+                    self.waiting = bytes;
+                }
+                Err(RecvTimeoutError::Timeout) => return Ok(None),
+                Err(RecvTimeoutError::Disconnected) => return Err(self.obituary()),
+            }
+        }
+    }
+
+    /// How the firmware ended, in one sentence.
+    fn obituary(&mut self) -> Failure {
+        self.to = None;
+        let (status, words) = self.last_words();
+        format!(
+            "the firmware died after {} frames: {status}; its last words: {words:?}",
+            self.number
+        )
+        .into()
+    }
+
+    /// Waits for the end of the emulator; how it ended and what it complained of.
+    fn last_words(&mut self) -> (String, String) {
+        let status = match self.child.wait() {
+            Ok(status) => status.to_string(),
+            Err(error) => error.to_string(),
+        };
+        let mut words = String::new();
+        if let Some(mut stream) = self.child.stderr.take() {
+            // What cannot be read was not said.
+            let _ = stream.read_to_string(&mut words);
+        }
+        (status, words.trim().to_owned())
+    }
+
+    /// Cuts the wire, as a host does that vanishes, and waits for what the firmware does then.
+    #[must_use]
+    pub fn vanish(mut self) -> (String, String) {
+        self.to = None;
+        self.last_words()
+    }
+
+    /// The process id of the emulator.
+    #[must_use]
+    pub fn id(&self) -> u32 {
+        self.child.id()
+    }
+
+    /// Questions asked so far, each answered.
+    #[must_use]
+    pub const fn round_trips(&self) -> u32 {
+        self.number
+    }
+
+    /// The bits of the value that decided the last choice.
+    #[must_use]
+    pub const fn last_value(&self) -> u32 {
+        self.value
+    }
+
+    fn tell(&mut self, order: Order) -> Result<(), Failure> {
+        match self.ask(order)? {
+            Answer::Done => Ok(()),
+            other => Err(unexpected(other)),
+        }
+    }
+
+    /// Begins the second level.
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask).
+    pub fn begin_second_level(&mut self) -> Result<(), Failure> {
+        self.tell(Order::SecondLevel)
+    }
+
+    /// Ends training.
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask).
+    pub fn act(&mut self) -> Result<(), Failure> {
+        self.tell(Order::Act)
+    }
+}
+
+impl Drop for Distant {
+    fn drop(&mut self) {
+        // An emulator that is still there has nobody to serve; one that is gone has nothing to lose.
+        self.to = None;
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Mind for Distant {
+    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
+        match self.ask(Order::Choose { now: to_bits(now) })? {
+            Answer::Chosen { action, value } => {
+                self.value = value;
+                Ok(ActionId(action.into()))
+            }
+            other => Err(unexpected(other)),
+        }
+    }
+
+    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
+        self.tell(Order::Learn { now: to_bits(now) })
+    }
+
+    fn observe(
+        &mut self,
+        before: &Percept,
+        action: ActionId,
+        after: &Percept,
+    ) -> Result<(), Failure> {
+        self.tell(Order::Observe {
+            before: to_bits(before),
+            action: action.0 as u8,
+            after: to_bits(after),
+        })
+    }
+}
+
+fn unexpected(answer: Answer) -> Failure {
+    format!("the firmware answered {answer:?}").into()
+}

@@ -1,0 +1,125 @@
+//! Brain in the loop: the simulated robot lives, the brain in the emulated controller decides.
+//!
+//! A brain on the host lives beside it, sees the same percepts, and must choose the same with the
+//! same value, bit for bit; at the end both must know the same.
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
+use cla_core::forager::pioneer::{self, Brain, Percept};
+use cla_core::num::Rng;
+use firmware_example::controller::knowledge;
+use firmware_example::link::{Answer, Order};
+
+use super::board::Target;
+use super::distant::Distant;
+use crate::experiment::forage::life::{Mind, live};
+use crate::options::Failure;
+use crate::world::config::PioneerConfig;
+use crate::world::pioneer::Pioneer;
+
+/// What came of one life.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Life {
+    /// Choices, in training and test.
+    pub choices: u32,
+    /// Choices that were those of the host's brain, with its value, to the bit.
+    pub same: u32,
+    /// Captures in the test.
+    pub captures: u32,
+    /// Whether both brains know the same schemas with the same counts at the end.
+    pub same_knowledge: bool,
+    /// Questions asked and answered over the wire.
+    pub round_trips: u32,
+    /// How long that took, the world's and the host brain's work included.
+    pub took: Duration,
+}
+
+/// Two brains with one life; the distant one decides.
+struct Twins {
+    distant: Distant,
+    here: Box<Brain>,
+    choices: u32,
+    same: u32,
+}
+
+impl Mind for Twins {
+    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
+        let action = self.distant.choose(now)?;
+        let here = self.here.choose(now)?;
+        self.choices += 1;
+        let same = here.action == action && here.value.to_bits() == self.distant.last_value();
+        self.same += u32::from(same);
+        if here.action != action {
+            // The host's brain would learn from what it did not do.
+            return Err(
+                format!("choice {} differs: {here:?}, not {action:?}", self.choices).into(),
+            );
+        }
+        Ok(action)
+    }
+
+    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
+        self.distant.learn(now)?;
+        Mind::learn(&mut *self.here, now)
+    }
+
+    fn observe(
+        &mut self,
+        before: &Percept,
+        action: ActionId,
+        after: &Percept,
+    ) -> Result<(), Failure> {
+        self.distant.observe(before, action, after)?;
+        Mind::observe(&mut *self.here, before, action, after)
+    }
+}
+
+/// Lives `actions` actions of training with one level, as many with both, and a test, as in
+/// `forage`, with a program of the firmware.
+///
+/// # Errors
+/// [`Failure`] when the firmware cannot be started, dies, or chooses another action.
+pub fn run(
+    target: Target,
+    program: &Path,
+    seed: u64,
+    actions: u32,
+    test_actions: u32,
+) -> Result<Life, Failure> {
+    let started = Instant::now();
+    let mut here: Box<Brain> = Box::new(Agent::new());
+    pioneer::be_born(&mut here, AgentConfig::FORAGER, seed)?;
+    let mut twins = Twins {
+        distant: Distant::start(target, program, seed)?,
+        here,
+        choices: 0,
+        same: 0,
+    };
+    let mut world = Pioneer::new(PioneerConfig::NOISY, seed)?;
+    live(&mut twins, &mut world, actions)?;
+    twins.distant.begin_second_level()?;
+    twins.here.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
+    let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 4).next_seed())?;
+    live(&mut twins, &mut world, actions)?;
+    twins.distant.act()?;
+    twins.here.act(Adaptation::Reliabilities)?;
+    // The test world of `forage`.
+    let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 1).next_seed())?;
+    let tally = live(&mut twins, &mut world, test_actions)?;
+    let same_knowledge = match twins.distant.ask(Order::Report)? {
+        Answer::Report {
+            knowledge: theirs, ..
+        } => theirs == knowledge(&twins.here),
+        _ => false,
+    };
+    Ok(Life {
+        choices: twins.choices,
+        same: twins.same,
+        captures: tally.captures,
+        same_knowledge,
+        round_trips: twins.distant.round_trips(),
+        took: started.elapsed(),
+    })
+}

@@ -1,0 +1,201 @@
+//! What the brain costs on three processors, measured in QEMU and read from the programs, against
+//! `memory-budget.md`: 1 % of the instructions may differ, not a byte of memory.
+
+use std::fs;
+
+use host_sim::experiment::mcu::board::{Build, Printed, Target, section_bytes};
+
+use super::run_once;
+
+/// Rows of a table: what, and a number for each column; `None` where nothing was measured.
+type Rows = Vec<(String, Vec<Option<u64>>)>;
+
+/// How much a number may differ from the committed one.
+#[derive(Clone, Copy)]
+enum Tolerance {
+    /// Not at all.
+    None,
+    /// One in a hundred.
+    Percent,
+}
+
+fn table(head: &str, rows: &Rows) -> String {
+    let columns = head.matches('|').count() - 2;
+    let mut text = format!("{head}\n|---|{}\n", "---:|".repeat(columns));
+    for (name, numbers) in rows {
+        let cell = |number: &Option<u64>| number.map_or("–".to_owned(), grouped);
+        let cells: Vec<String> = numbers.iter().map(cell).collect();
+        text.push_str(&format!("| {name} | {} |\n", cells.join(" | ")));
+    }
+    text
+}
+
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let groups: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .map(|it| str::from_utf8(it).expect("digits"))
+        .collect();
+    groups.join(",")
+}
+
+/// Compares a table with the one between its markers, or writes it there.
+fn hold(name: &str, head: &str, rows: &Rows, tolerance: Tolerance) {
+    let path = cla_tests::root().join("memory-budget.md");
+    let text = fs::read_to_string(&path).expect("the budget can be read");
+    let marker = format!("<!-- budget: {name} -->\n");
+    let (before, rest) = text.split_once(&marker).expect("the table has its marker");
+    let (committed, after) = rest
+        .split_once("<!-- end -->")
+        .expect("the table has an end");
+    let measured = table(head, rows);
+    if std::env::var_os("UPDATE_BUDGET").is_some() {
+        fs::write(
+            &path,
+            format!("{before}{marker}{measured}<!-- end -->{after}"),
+        )
+        .expect("it can be written");
+        return;
+    }
+    let complaint = format!(
+        "{name}: run UPDATE_BUDGET=1 cargo test -p cla-tests --test firmware -- --test-threads=1 \
+         when that is meant\ncommitted\n{committed}measured\n{measured}"
+    );
+    let (old, new): (Vec<&str>, Vec<&str>) = (
+        committed.split('|').collect(),
+        measured.split('|').collect(),
+    );
+    assert_eq!(old.len(), new.len(), "{complaint}");
+    for (old, new) in old.iter().zip(new) {
+        let number = |cell: &str| cell.trim().replace(',', "").parse::<f64>().ok();
+        let near = match (tolerance, number(old), number(new)) {
+            (Tolerance::Percent, Some(old), Some(new)) => (old - new).abs() <= 0.01 * old,
+            _ => *old == new,
+        };
+        assert!(near, "{old} became {new}\n{complaint}");
+    }
+}
+
+fn program(target: Target, features: &'static str) -> Build {
+    Build {
+        features,
+        ..Build::new(target, "firmware")
+    }
+}
+
+fn number(printed: &Printed, start: &str, word: &str) -> u64 {
+    printed
+        .number(start, word)
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+const HEAD: &str = "| | Cortex-M4F | Cortex-M0+ | RV32IMAC |";
+
+const PROFILES: [(&str, &str); 2] = [("forager", ""), ("small", "small")];
+
+#[test]
+fn instructions_of_every_part_of_a_step_are_those_of_the_budget() {
+    let mut rows = Rows::new();
+    for (profile, features) in PROFILES {
+        let printed = Target::ALL.map(|target| run_once(&program(target, features)));
+        for (part, words) in [
+            ("tick_level1", &["mean", "worst"][..]),
+            ("choose_level2", &["mean", "worst"]),
+            ("learn_level2", &["mean", "worst"]),
+            ("tick_level2", &["mean", "worst"]),
+            ("harvest", &["worst"]),
+            ("settle", &["worst"]),
+        ] {
+            for word in words {
+                let cell = |printed: &Printed| {
+                    let number = number(printed, &format!("{part} instructions"), word);
+                    (number > 0).then_some(number)
+                };
+                rows.push((
+                    format!(
+                        "{profile}: {}, {word}",
+                        part.replace("_level", " at level ")
+                    ),
+                    printed.iter().map(cell).collect(),
+                ));
+            }
+        }
+    }
+    hold("instructions", HEAD, &rows, Tolerance::Percent);
+}
+
+#[test]
+fn instructions_of_the_kernels_are_those_of_the_budget() {
+    let printed = Target::ALL.map(|target| {
+        let bench = Build {
+            features: "kernels",
+            ..Build::new(target, "kernels")
+        };
+        bench.run().unwrap_or_else(|error| panic!("{error}"))
+    });
+    let mut rows = Rows::new();
+    for line in printed[0].text().lines() {
+        let (name, _) = line.split_once(" = ").expect("name = number");
+        let cell = |printed: &Printed| Some(number(printed, &format!("{name} ="), ""));
+        rows.push((name.replace('_', " "), printed.iter().map(cell).collect()));
+    }
+    let search = rows
+        .iter()
+        .find(|(name, _)| name == "f32 best match 400x142 on 10");
+    let on_m4f = search
+        .and_then(|(_, cells)| cells[0])
+        .expect("the shape of the issue");
+    assert!(on_m4f <= 15_000, "{on_m4f}");
+    hold("kernels", HEAD, &rows, Tolerance::Percent);
+}
+
+#[test]
+fn bytes_of_ram_and_stack_are_those_of_the_budget() {
+    let mut rows = Rows::new();
+    for (profile, features) in PROFILES {
+        let printed = Target::ALL.map(|target| run_once(&program(target, features)));
+        for what in ["static", "stack"] {
+            let cell = |printed: &Printed| Some(number(printed, &format!("{what} bytes"), ""));
+            let name = match what {
+                "static" => "all statics of the program",
+                _ => "deepest stack",
+            };
+            rows.push((
+                format!("{profile}: {name}"),
+                printed.iter().map(cell).collect(),
+            ));
+        }
+    }
+    hold("ram", HEAD, &rows, Tolerance::None);
+}
+
+#[test]
+fn bytes_of_the_cores_code_are_those_of_the_budget() {
+    let mut rows = Rows::new();
+    let mut at_s = Vec::new();
+    for opt_level in ["3", "s"] {
+        for (name, entry) in [
+            ("a robot that acts", "acting"),
+            ("a robot that learns", "training"),
+        ] {
+            let bytes = Target::ALL.map(|target| {
+                let proof = Build {
+                    opt_level,
+                    entry,
+                    ..Build::new(target, "panic_free")
+                };
+                let program = proof.build().unwrap_or_else(|error| panic!("{error}"));
+                let bytes = |name| section_bytes(&program, name).expect("a program");
+                Some(bytes(".text") + bytes(".rodata"))
+            });
+            if opt_level == "s" {
+                at_s.extend(bytes[0]);
+            }
+            rows.push((format!("{name}, opt-level {opt_level}"), bytes.to_vec()));
+        }
+    }
+    assert!(at_s[0] <= 16 * 1024 && at_s[1] <= 32 * 1024, "{at_s:?}");
+    hold("flash", HEAD, &rows, Tolerance::None);
+}
