@@ -9,11 +9,12 @@ use cla_core::clasm::AccommodationConfig;
 use cla_core::num::Rng;
 
 use super::catalogue::{
-    Found, Schema, VALID, among_simple_schemas, among_whole_schemas, equations,
+    Found, Schema, VALID, among_simple_schemas, among_whole_schemas, equations, saying,
 };
-use super::goals::{GOALS, Planning, Strategy, success};
+use super::goals::{Chains, GOALS, Planning, Strategy, success};
 use super::level1::{Clasm, Life, Maps, Mind};
 use super::level2::{self, Level2};
+use super::synthetic::{self, Believer, Findings};
 use crate::baseline::drescher::{Drescher, DrescherConfig};
 use crate::progress::Ticker;
 use crate::world::microworld::{Body, Family, Oracle, Recall};
@@ -30,6 +31,8 @@ pub const DRESCHER_STEPS: u32 = 10_000;
 pub const BOUNDED_STEPS: u32 = 30_000;
 /// Steps that it lives literally.
 pub const LITERAL_STEPS: u32 = 3_000;
+/// Steps that its unrestricted variant lives; it is full not much later.
+pub const UNRESTRICTED_STEPS: u32 = 1_000;
 /// The memory of the comparison at equal memory, bytes.
 pub const EQUAL_MEMORY: usize = 200_000;
 /// A simple schema has to be tried or remembered so often before the agent believes it.
@@ -75,6 +78,9 @@ pub struct Trial {
     pub simplified: Recall,
     /// Each equation in accommodation alone.
     pub simplified_equations: Vec<Found>,
+    /// The share of the states where each equation comes true in which accommodation alone foresees
+    /// it.
+    pub foreseen: Vec<f64>,
     /// Accommodation alone at the [`MOMENTS`].
     pub growth: Vec<Growth>,
     /// Recall at 10,000 steps where 5 % of the actions slip.
@@ -84,10 +90,14 @@ pub struct Trial {
     pub goals: Vec<[f64; 3]>,
     /// What level 2 found.
     pub level2: Level2,
+    /// What a life with synthetic items showed.
+    pub synthetic: Findings,
     /// Drescher's mechanism as well tuned as we could.
     pub drescher: Vec<Growth>,
     /// As Drescher words it.
     pub literal: Vec<Growth>,
+    /// Every relevant item of every schema spins off.
+    pub unrestricted: Vec<Growth>,
     /// Tuned, in no more than [`EQUAL_MEMORY`].
     pub bounded: Vec<Growth>,
 }
@@ -110,7 +120,11 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
     ticker.advance(1);
     let grown = grow(seed, oracle);
     ticker.advance(1);
-    let level2 = level2::learn(seed, oracle, grown.mind.schemas());
+    let mut chains = Chains::new(oracle, grown.mind.schemas(), &level2::GOALS);
+    let level2 = level2::learn(seed, oracle, &mut chains);
+    ticker.advance(1);
+    let mut believer = Believer::new(seed, oracle, &level2.objects);
+    let synthetic = believer.live(&mut chains, synthetic::COMPOSITES);
     ticker.advance(1);
     let known = texts(&grown.mind);
     let trial = Trial {
@@ -125,12 +139,23 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
             .iter()
             .map(|it| among_simple_schemas(&it.schema, &known, oracle))
             .collect(),
+        foreseen: equations()
+            .iter()
+            .map(|it| saying(&it.schema, &known, oracle).foreseen)
+            .collect(),
         growth: grown.growth,
         slipping: slipping(seed, oracle),
         goals: grown.goals,
         level2,
+        synthetic,
         drescher: attribution(seed, oracle, DrescherConfig::RESTRICTED, DRESCHER_STEPS),
         literal: attribution(seed, oracle, DrescherConfig::LITERAL, LITERAL_STEPS),
+        unrestricted: attribution(
+            seed,
+            oracle,
+            DrescherConfig::UNRESTRICTED,
+            UNRESTRICTED_STEPS,
+        ),
         bounded: attribution(
             seed,
             oracle,
@@ -146,7 +171,7 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
 }
 
 /// Ticks of one trial.
-pub const PARTS: u64 = 5;
+pub const PARTS: u64 = 6;
 
 /// A mind and what was measured while it grew.
 struct Grown {
