@@ -4,11 +4,13 @@ use super::catalogue::{Found, equations};
 use super::goals::GOALS;
 use super::level2::Level2;
 use super::synthetic::Findings;
-use super::trial::{BOUNDED_STEPS, DRESCHER_STEPS, Growth, Trial, UNRESTRICTED_STEPS};
+use super::trial::{BOUNDED_STEPS, DRESCHER_STEPS, Growth, Trial};
 use crate::report::{Bound, Claim, Expectation, Rule, mean};
 
 /// A part of a claim's id, its unit, and where a moment of growth has the number.
 type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
+/// Where a trial has a learner's growth.
+type Learner = fn(&Trial) -> &Vec<Growth>;
 /// An equation's number, the seeds of twenty that must have it, and whether level 2 does.
 type Finding = (&'static str, u32, fn(&Level2) -> bool);
 
@@ -329,9 +331,27 @@ fn head_to_head(trials: &[Trial]) -> Vec<Claim> {
         ("time", "µs a step", |it| it.micros),
     ];
     for (what, unit, of) in columns {
-        let id = format!("micro.drescher.{what}.unrestricted.1k");
-        let theirs = numbers(trials, |it| at(&it.unrestricted, UNRESTRICTED_STEPS, of));
-        claims.push(Expectation::new(id, "5.2", unit).extension().judge(&theirs));
+        let variants: [(&str, u32, Learner); 3] = [
+            ("unrestricted.1k", 1_000, |it| &it.unrestricted),
+            ("complete.1k", 1_000, |it| &it.complete),
+            ("complete.3k", 3_000, |it| &it.complete),
+        ];
+        for (variant, steps, growth) in variants {
+            let id = format!("micro.drescher.{what}.{variant}");
+            let theirs = numbers(trials, |it| at(growth(it), steps, of));
+            let claim = Expectation::new(id, "5.2", unit).extension();
+            claims.push(claim.judge(&theirs));
+        }
+    }
+    for (index, group) in GOALS.iter().enumerate().take(6) {
+        let id = format!("micro.drescher.goal.{}", group.name);
+        let unit = "share of attempts within 20 steps";
+        claims.push(
+            Expectation::new(id, "5.1.1", unit)
+                .extension()
+                .note("by the book's chain over its schemas, after 10,000 steps")
+                .judge(&numbers(trials, |it| it.drescher_goals[index])),
+        );
     }
     let ours = numbers(trials, |it| it.clasm.total());
     let theirs = numbers(trials, |it| at(&it.bounded, BOUNDED_STEPS, |it| it.recall));

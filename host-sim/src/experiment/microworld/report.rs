@@ -83,10 +83,11 @@ type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
 /// One learner's growth: its name, and where a trial has it.
 type Learner = (&'static str, fn(&Trial) -> &Vec<Growth>);
 
-const LEARNERS: [Learner; 5] = [
+const LEARNERS: [Learner; 6] = [
     ("accommodation, 62 kB", |it| &it.growth),
     ("Drescher, tuned", |it| &it.drescher),
     ("Drescher, literal", |it| &it.literal),
+    ("Drescher, with synthetic items", |it| &it.complete),
     ("Drescher, unrestricted", |it| &it.unrestricted),
     ("Drescher, tuned, in 200 kB", |it| &it.bounded),
 ];

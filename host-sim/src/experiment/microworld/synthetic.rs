@@ -472,7 +472,7 @@ mod tests {
         let mut chains = Chains::new(&oracle, mind.schemas(), &GOALS);
         let touch = item("tactl").unwrap();
         let mut believer = Believer::new(1, &oracle, &[(3, touch)]);
-        let findings = believer.live(&mut chains, 1_500);
+        let findings = believer.live(&mut chains, 3_000);
         assert!(findings.items > 20, "{}", findings.items);
         assert!(findings.schemas > 40, "{}", findings.schemas);
         assert_eq!(findings.literal, 0);

@@ -31,6 +31,8 @@ pub const DRESCHER_STEPS: u32 = 10_000;
 pub const BOUNDED_STEPS: u32 = 30_000;
 /// Steps that it lives literally.
 pub const LITERAL_STEPS: u32 = 3_000;
+/// Steps that it lives with synthetic items.
+pub const COMPLETE_STEPS: u32 = 3_000;
 /// Steps that its unrestricted variant lives; it is full not much later.
 pub const UNRESTRICTED_STEPS: u32 = 1_000;
 /// The memory of the comparison at equal memory, bytes.
@@ -96,6 +98,11 @@ pub struct Trial {
     pub drescher: Vec<Growth>,
     /// As Drescher words it.
     pub literal: Vec<Growth>,
+    /// Tuned, with synthetic items.
+    pub complete: Vec<Growth>,
+    /// For each of [`GOALS`], success by the book's chain over its schemas after
+    /// [`DRESCHER_STEPS`].
+    pub drescher_goals: Vec<f64>,
     /// Every relevant item of every schema spins off.
     pub unrestricted: Vec<Growth>,
     /// Tuned, in no more than [`EQUAL_MEMORY`].
@@ -127,6 +134,8 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
     let synthetic = believer.live(&mut chains, synthetic::COMPOSITES);
     ticker.advance(1);
     let known = texts(&grown.mind);
+    let (drescher, mechanism) =
+        attribution(seed, oracle, DrescherConfig::RESTRICTED, DRESCHER_STEPS);
     let trial = Trial {
         raw: oracle.recall(&raw, VALID),
         raw_schemas: raw.len(),
@@ -148,14 +157,17 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
         goals: grown.goals,
         level2,
         synthetic,
-        drescher: attribution(seed, oracle, DrescherConfig::RESTRICTED, DRESCHER_STEPS),
-        literal: attribution(seed, oracle, DrescherConfig::LITERAL, LITERAL_STEPS),
+        drescher,
+        drescher_goals: chained(seed, oracle, &mechanism),
+        literal: attribution(seed, oracle, DrescherConfig::LITERAL, LITERAL_STEPS).0,
+        complete: attribution(seed, oracle, DrescherConfig::COMPLETE, COMPLETE_STEPS).0,
         unrestricted: attribution(
             seed,
             oracle,
             DrescherConfig::UNRESTRICTED,
             UNRESTRICTED_STEPS,
-        ),
+        )
+        .0,
         bounded: attribution(
             seed,
             oracle,
@@ -164,7 +176,8 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
                 ..DrescherConfig::RESTRICTED
             },
             BOUNDED_STEPS,
-        ),
+        )
+        .0,
     };
     ticker.advance(1);
     trial
@@ -282,7 +295,30 @@ fn slipping(seed: u64, oracle: &Oracle) -> f64 {
     oracle.recall(&texts(&mind), VALID).total()
 }
 
-fn attribution(seed: u64, oracle: &Oracle, config: DrescherConfig, steps: u32) -> Vec<Growth> {
+/// What the book's chain reaches with the schemas of Drescher's mechanism.
+fn chained(seed: u64, oracle: &Oracle, mechanism: &Drescher) -> Vec<f64> {
+    let trials = u8::try_from(BELIEVED_TRIALS).unwrap_or(u8::MAX);
+    let (schemas, mut planner) = (mechanism.chainable(trials), Box::new(Planning::new()));
+    let mut tries = Rng::stream(seed, 57);
+    let reached = GOALS.iter().map(|group| {
+        success(
+            group,
+            oracle,
+            &schemas,
+            &mut planner,
+            Strategy::Chain,
+            &mut tries,
+        )
+    });
+    reached.collect()
+}
+
+fn attribution(
+    seed: u64,
+    oracle: &Oracle,
+    config: DrescherConfig,
+    steps: u32,
+) -> (Vec<Growth>, Drescher) {
     let mut life = Life::new(seed, Body::Visible, 0.0);
     let mut mechanism = Drescher::new(config);
     let (mut growth, mut spent) = (Vec::new(), 0.0);
@@ -300,13 +336,13 @@ fn attribution(seed: u64, oracle: &Oracle, config: DrescherConfig, steps: u32) -
                 recall: oracle.recall(&known, VALID).total(),
                 own_recall: predicted.total(),
                 precision: predicted.precision(),
-                schemas: known.len(),
+                schemas: mechanism.len(),
                 bytes: mechanism.bytes(),
                 micros: spent / f64::from(step),
             });
         }
     }
-    growth
+    (growth, mechanism)
 }
 
 /// The families' names with a recall each, for tables.
