@@ -27,9 +27,9 @@ pub const SAMPLES: u32 = 1500;
 const BETWEEN: u32 = 12;
 
 /// The maps of one mode.
-type Maps = ActionSomBank<10, 10, ITEM_COUNT, 19>;
+pub type Maps = ActionSomBank<10, 10, ITEM_COUNT, 19>;
 /// What is remembered of each composite action, and the cross-modal schemas.
-type Memory = Accommodation<WORDS, 512, 1024, 19>;
+pub type Memory = Accommodation<WORDS, 512, 1024, 19>;
 
 /// What level 2 found.
 ///
