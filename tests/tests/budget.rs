@@ -10,6 +10,7 @@ use cla_core::forager::pioneer::{self, WORDS};
 use cla_core::num::Rng;
 use host_sim::experiment::microworld::goals::Planning;
 use host_sim::experiment::microworld::level1::{ByteBank, Clasm, FloatBank, Mind, SeededMind};
+use host_sim::experiment::microworld::{level2, synthetic};
 
 /// Rows of a table: a structure, how many of them, bytes of all.
 type Rows = Vec<(&'static str, usize, usize)>;
@@ -46,7 +47,13 @@ fn forager() -> Rows {
 
 /// The host profile keeps everything in `f32`; the other fits a part of 256 KiB.
 fn microworld() -> Rows {
-    let floats = size_of::<FloatBank>() + size_of::<Mind>() + size_of::<Planning>();
+    let floats = size_of::<FloatBank>()
+        + size_of::<Mind>()
+        + size_of::<Planning>()
+        + size_of::<level2::Maps>()
+        + size_of::<level2::Memory>()
+        + size_of::<synthetic::Synthetic>()
+        + size_of::<synthetic::Memory>();
     vec![
         ("**host profile**", 1, floats),
         ("· maps of 10 × 10 nodes, `f32`", 10, size_of::<FloatBank>()),
@@ -56,6 +63,22 @@ fn microworld() -> Rows {
             size_of::<Mind>(),
         ),
         ("· planner: 300 states", 1, size_of::<Planning>()),
+        (
+            "· level 2: maps of one mode, `f32`",
+            19,
+            size_of::<level2::Maps>(),
+        ),
+        (
+            "· cross-modal: 1024 schemas, 512 samples a composite action",
+            1,
+            size_of::<level2::Memory>(),
+        ),
+        ("· synthetic items", 178, size_of::<synthetic::Synthetic>()),
+        (
+            "· schemas about them: 2048, 384 samples an action",
+            1,
+            size_of::<synthetic::Memory>(),
+        ),
         (
             "**profile for 256 KiB**",
             1,
@@ -135,7 +158,13 @@ fn the_microworld_keeps_the_bounds_that_its_claims_name() {
     let rows = microworld();
     assert!(size_of::<Mind>() <= 64_000 && Clasm::BYTES <= 200_000);
     assert!(size_of::<Planning>() <= 8_000);
-    assert!(rows[4].2 <= 256 * 1024 && rows[0].2 > rows[4].2);
+    let small = rows
+        .iter()
+        .find(|row| row.0 == "**profile for 256 KiB**")
+        .expect("a profile");
+    assert!(small.2 <= 256 * 1024 && rows[0].2 > small.2);
+    let parts: usize = rows[1..8].iter().map(|row| row.2).sum();
+    assert_eq!(parts, rows[0].2);
 }
 
 #[test]

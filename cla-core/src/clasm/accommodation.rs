@@ -6,9 +6,10 @@
 //! Time and memory are bounded; the maps, when there are any, offer seeds (see `observe_seeded`).
 
 use super::action::ActionId;
+use super::evidence::{Evidence, Transition};
 use super::grow::{Conclusion, GrowthConfig, grow};
 use super::item::{ItemId, ItemSet};
-use super::reservoir::{Reservoir, Transition};
+use super::reservoir::Reservoir;
 use super::simple_schema::{Entry, SimpleSchema, SimpleSchemas};
 use crate::num::Rng;
 
@@ -32,6 +33,13 @@ pub struct AccommodationConfig {
     pub surprises: u8,
     /// Remembered samples that grow a schema, per action.
     pub revisits: u8,
+    /// While an action's reservoir has room, a change that is foreseen only by schemas with fewer
+    /// successes than this is explained once more, by other items; 0 is content with the first
+    /// explanation.
+    ///
+    /// Of what few samples allow, much is false: with another explanation more of what is true is
+    /// among it, and trials tell which.
+    pub doubt: u16,
 }
 
 impl AccommodationConfig {
@@ -42,6 +50,7 @@ impl AccommodationConfig {
         grace: 0,
         surprises: 16,
         revisits: 4,
+        doubt: 8,
     };
     /// For worlds whose actions sometimes fail.
     pub const TOLERANT: Self = Self {
@@ -110,13 +119,19 @@ pub struct Accommodation<
     const SAMPLES: usize,
     const SCHEMAS: usize,
     const ACTIONS: usize,
+    E = Transition<WORDS>,
 > {
     schemas: SimpleSchemas<SCHEMAS>,
-    reservoirs: [Reservoir<WORDS, SAMPLES>; ACTIONS],
+    reservoirs: [Reservoir<WORDS, SAMPLES, E>; ACTIONS],
 }
 
-impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIONS: usize>
-    Accommodation<WORDS, SAMPLES, SCHEMAS, ACTIONS>
+impl<
+    const WORDS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+    const ACTIONS: usize,
+    E: Evidence<WORDS>,
+> Accommodation<WORDS, SAMPLES, SCHEMAS, ACTIONS, E>
 {
     /// Nothing known, nothing remembered.
     #[must_use]
@@ -141,7 +156,7 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
 
     /// What is remembered of each action.
     #[must_use]
-    pub const fn reservoirs(&self) -> &[Reservoir<WORDS, SAMPLES>; ACTIONS] {
+    pub const fn reservoirs(&self) -> &[Reservoir<WORDS, SAMPLES, E>; ACTIONS] {
         &self.reservoirs
     }
 
@@ -152,7 +167,7 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
     pub fn observe(
         &mut self,
         action: ActionId,
-        sample: &Transition<WORDS>,
+        sample: &E,
         config: &AccommodationConfig,
         rng: &mut Rng,
     ) -> Surprise {
@@ -162,6 +177,11 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
         }
         for item in unforeseen.iter().take(usize::from(config.surprises)) {
             surprise.grown += self.grow(action, sample, item, config);
+        }
+        if self.remembers_all(action) {
+            for item in sample.telling().difference(&unforeseen).iter() {
+                surprise.grown += self.grow_alternative(action, sample, item, config);
+            }
         }
         for _ in 0..config.revisits {
             let Some(reservoir) = self.reservoirs.get(usize::from(action.0)) else {
@@ -183,14 +203,14 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
     pub fn observe_seeded(
         &mut self,
         action: ActionId,
-        sample: &Transition<WORDS>,
-        seeds: impl IntoIterator<Item = Transition<WORDS>>,
+        sample: &E,
+        seeds: impl IntoIterator<Item = E>,
         config: &AccommodationConfig,
         rng: &mut Rng,
     ) -> Surprise {
         let (mut surprise, _, _) = self.compare(action, sample, config, rng);
         for seed in seeds {
-            for item in seed.changed().iter().take(usize::from(config.surprises)) {
+            for item in seed.telling().iter().take(usize::from(config.surprises)) {
                 if !self.foresees(action, &seed, item) {
                     surprise.grown += self.grow(action, &seed, item, config);
                 }
@@ -201,7 +221,7 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
 
     /// Files a sample without testing schemas or growing any; the first step of
     /// [`explain`](Self::explain).
-    pub fn remember(&mut self, action: ActionId, sample: &Transition<WORDS>, rng: &mut Rng) {
+    pub fn remember(&mut self, action: ActionId, sample: &E, rng: &mut Rng) {
         if let Some(reservoir) = self.reservoirs.get_mut(usize::from(action.0)) {
             reservoir.offer(sample, 0, rng);
         }
@@ -214,7 +234,7 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
     pub fn explain(
         &mut self,
         action: ActionId,
-        seed: &Transition<WORDS>,
+        seed: &E,
         item: ItemId,
         mode: &ItemSet<WORDS>,
         growth: &GrowthConfig,
@@ -223,9 +243,9 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
         let conclusion = Conclusion {
             action,
             item,
-            sign: seed.after.contains(item),
+            sign: seed.outcome(item)?,
         };
-        let schema = grow(&seed.before, conclusion, reservoir.samples(), mode, growth)?;
+        let schema = grow(seed, conclusion, reservoir.samples(), mode, growth)?;
         Some(self.schemas.enter(schema))
     }
 
@@ -241,30 +261,29 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
     fn compare(
         &mut self,
         action: ActionId,
-        sample: &Transition<WORDS>,
+        sample: &E,
         config: &AccommodationConfig,
         rng: &mut Rng,
     ) -> (Surprise, ItemSet<WORDS>, Refuted) {
         let mut refuted = Refuted::new();
         let mut surprise = Surprise::default();
         let mut foreseen = ItemSet::EMPTY;
-        self.schemas
-            .record(&sample.before, action, &sample.after, |schema, success| {
-                surprise.activated = surprise.activated.saturating_add(1);
-                if success {
-                    let _ = foreseen.insert(schema.result_item());
-                    return true;
-                }
-                surprise.failed = surprise.failed.saturating_add(1);
-                let failures = schema.activations() - schema.successes();
-                let kept = failures <= config.grace || schema.reliability() >= config.keep;
-                if !kept {
-                    // More than fit find their way back through unforeseen changes.
-                    let _ = refuted.push(*schema);
-                }
-                kept
-            });
-        let unforeseen = sample.changed().difference(&foreseen);
+        self.schemas.record(action, sample, |schema, success| {
+            surprise.activated = surprise.activated.saturating_add(1);
+            if success {
+                let _ = foreseen.insert(schema.result_item());
+                return true;
+            }
+            surprise.failed = surprise.failed.saturating_add(1);
+            let failures = schema.activations() - schema.successes();
+            let kept = failures <= config.grace || schema.reliability() >= config.keep;
+            if !kept {
+                // More than fit find their way back through unforeseen changes.
+                let _ = refuted.push(*schema);
+            }
+            kept
+        });
+        let unforeseen = sample.telling().difference(&foreseen);
         surprise.unforeseen = unforeseen.len();
         if let Some(reservoir) = self.reservoirs.get_mut(usize::from(action.0)) {
             let hardness = surprise.failed.saturating_add(surprise.unforeseen);
@@ -285,10 +304,10 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
         };
         let samples = reservoir.samples();
         let start = rng.below(samples.len() as u32) as usize;
-        let explained = |it: &&Transition<WORDS>| {
-            refuted.applies(&it.before)
-                && refuted.succeeds(&it.after)
-                && !refuted.succeeds(&it.before)
+        let explained = |it: &&E| {
+            it.telling().contains(refuted.result_item())
+                && refuted.applied(*it)
+                && refuted.success(*it) == Some(true)
         };
         let mut from_start = samples.iter().cycle().skip(start).take(samples.len());
         match from_start.find(explained).copied() {
@@ -301,13 +320,13 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
     fn grow_from(
         &mut self,
         action: ActionId,
-        seed: &Transition<WORDS>,
+        seed: &E,
         config: &AccommodationConfig,
         rng: &mut Rng,
     ) -> u16 {
-        let changed = seed.changed();
-        let which = rng.below(u32::from(changed.len())) as usize;
-        match changed.iter().nth(which) {
+        let telling = seed.telling();
+        let which = rng.below(u32::from(telling.len())) as usize;
+        match telling.iter().nth(which) {
             Some(item) if !self.foresees(action, seed, item) => {
                 self.grow(action, seed, item, config)
             }
@@ -315,48 +334,92 @@ impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIO
         }
     }
 
+    /// Whether everything that an action did is still in memory, so that explanations may multiply:
+    /// later the surprises that are kept tell which of them hold.
+    fn remembers_all(&self, action: ActionId) -> bool {
+        let reservoir = self.reservoirs.get(usize::from(action.0));
+        reservoir.is_some_and(|it| it.samples().len() < SAMPLES)
+    }
+
+    /// Grows another explanation of a change whose explanations have hardly been tried, without the
+    /// items that they name.
+    fn grow_alternative(
+        &mut self,
+        action: ActionId,
+        seed: &E,
+        item: ItemId,
+        config: &AccommodationConfig,
+    ) -> u16 {
+        let mut eligible = ItemSet::first(ItemSet::<WORDS>::CAPACITY);
+        let explains = |schema: &&SimpleSchema| {
+            schema.action() == action
+                && schema.result_item() == item
+                && schema.applied(seed)
+                && schema.success(seed) == Some(true)
+        };
+        for schema in self.schemas().iter().filter(explains) {
+            if schema.successes() >= config.doubt {
+                return 0;
+            }
+            for (named, _) in schema.context().filter(|&(named, _)| named != item) {
+                eligible.remove(named);
+            }
+        }
+        self.grow_among(action, seed, item, &eligible, config)
+    }
+
     /// Whether a schema predicts this change of `seed`: growing another would only crowd the table.
-    fn foresees(&self, action: ActionId, seed: &Transition<WORDS>, item: ItemId) -> bool {
+    fn foresees(&self, action: ActionId, seed: &E, item: ItemId) -> bool {
         self.schemas().iter().any(|schema| {
             schema.action() == action
                 && schema.result_item() == item
-                && schema.applies(&seed.before)
-                && schema.succeeds(&seed.after)
+                && schema.applied(seed)
+                && schema.success(seed) == Some(true)
         })
     }
 
     fn grow(
         &mut self,
         action: ActionId,
-        seed: &Transition<WORDS>,
+        seed: &E,
         item: ItemId,
+        config: &AccommodationConfig,
+    ) -> u16 {
+        let everything = ItemSet::first(ItemSet::<WORDS>::CAPACITY);
+        self.grow_among(action, seed, item, &everything, config)
+    }
+
+    /// Grows a schema for a change of `seed` with a context of `eligible` items.
+    fn grow_among(
+        &mut self,
+        action: ActionId,
+        seed: &E,
+        item: ItemId,
+        eligible: &ItemSet<WORDS>,
         config: &AccommodationConfig,
     ) -> u16 {
         let Some(reservoir) = self.reservoirs.get(usize::from(action.0)) else {
             return 0;
         };
-        let conclusion = Conclusion {
-            action,
-            item,
-            sign: seed.after.contains(item),
+        let Some(sign) = seed.outcome(item) else {
+            return 0;
         };
-        let everything = ItemSet::first(ItemSet::<WORDS>::CAPACITY);
+        let conclusion = Conclusion { action, item, sign };
         let samples = reservoir.samples();
-        match grow(
-            &seed.before,
-            conclusion,
-            samples,
-            &everything,
-            &config.growth,
-        ) {
+        match grow(seed, conclusion, samples, eligible, &config.growth) {
             Some(schema) => u16::from(self.schemas.enter(schema) == Entry::Stored),
             None => 0,
         }
     }
 }
 
-impl<const WORDS: usize, const SAMPLES: usize, const SCHEMAS: usize, const ACTIONS: usize> Default
-    for Accommodation<WORDS, SAMPLES, SCHEMAS, ACTIONS>
+impl<
+    const WORDS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+    const ACTIONS: usize,
+    E: Evidence<WORDS>,
+> Default for Accommodation<WORDS, SAMPLES, SCHEMAS, ACTIONS, E>
 {
     fn default() -> Self {
         Self::new()
@@ -414,6 +477,42 @@ mod tests {
     fn a_switch_is_two_schemas_of_two_items_and_noise_stands_in_neither() {
         let expected = [(2, false, false), (2, true, false)];
         assert_eq!(learned(&AccommodationConfig::EXACT, 0.0), expected);
+    }
+
+    #[test]
+    fn who_doubts_explains_a_change_twice_while_little_is_known() {
+        // Items 0 and 1 are always on together before the action turns item 2 on.
+        let explanations = |doubt: u16| {
+            let mut brain = Accommodation::<1, 32, 32, 1>::new();
+            let (mut rng, config) = (
+                Rng::new(5),
+                AccommodationConfig {
+                    doubt,
+                    ..AccommodationConfig::EXACT
+                },
+            );
+            for step in 0..20 {
+                let mut before = ItemSet::first(if step % 2 == 0 { 2 } else { 0 });
+                before.insert(ItemId(3 + step / 2 % 4)).unwrap();
+                let mut after = before;
+                if step % 2 == 0 {
+                    after.insert(ItemId(2)).unwrap();
+                }
+                let sample = Transition { before, after };
+                brain.observe(ActionId(0), &sample, &config, &mut rng);
+            }
+            let named = |item| {
+                let mut schemas = brain.schemas().iter();
+                schemas.any(|it| it.context().any(|named| named == (ItemId(item), true)))
+            };
+            [named(0), named(1)]
+        };
+        assert_eq!(
+            explanations(0),
+            [true, false],
+            "the first item is good enough"
+        );
+        assert_eq!(explanations(8), [true, true]);
     }
 
     #[test]

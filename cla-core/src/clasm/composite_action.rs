@@ -6,8 +6,8 @@
 //! chaining over reliable schemas; `planner` looks ahead instead.
 
 use super::action::ActionId;
+use super::evidence::Transition;
 use super::item::{ItemId, ItemSet};
-use super::reservoir::Transition;
 use super::signed_items::SignedItems;
 use super::simple_schema::SimpleSchema;
 

@@ -1,13 +1,13 @@
 //! How the context of a schema grows from one sample against a memory of samples.
 //!
-//! Begin with the item's own prior state; while remembered samples contradict, add the signed item
+//! Begin with the item's own prior state, where results are changes; while remembered samples contradict, add the signed item
 //! of the sample that rules out contradictions at the least cost; then take out what is not needed.
 //! Nothing here is stored, and the work is bounded by samples × context items.
 
 use super::action::ActionId;
+use super::evidence::Evidence;
 use super::item::{ItemId, ItemSet};
 use super::notation::SchemaText;
-use super::reservoir::Transition;
 use super::signed_items::SignedItems;
 use super::simple_schema::SimpleSchema;
 
@@ -37,7 +37,7 @@ impl GrowthConfig {
     /// For worlds whose actions always do the same.
     pub const EXACT: Self = Self {
         tolerance: 0.0,
-        negatives: 0.7,
+        negatives: 0.5,
         generality: 2,
         support: 1,
     };
@@ -57,8 +57,8 @@ pub(super) struct Conclusion {
 }
 
 /// The state of a growing context.
-struct Growth<'a, const WORDS: usize> {
-    samples: &'a [Transition<WORDS>],
+struct Growth<'a, const WORDS: usize, E> {
+    samples: &'a [E],
     conclusion: Conclusion,
     config: &'a GrowthConfig,
 }
@@ -73,11 +73,11 @@ struct Tally {
 /// The simplest context found that `seed` satisfies and the samples do not contradict; `None` when
 /// seven items are not enough or too few samples agree.
 ///
-/// Only items of `eligible` may stand in the context.
-pub(super) fn grow<const WORDS: usize>(
-    seed: &ItemSet<WORDS>,
+/// Only items of `eligible` whose state was known may stand in the context.
+pub(super) fn grow<const WORDS: usize, E: Evidence<WORDS>>(
+    seed: &E,
     conclusion: Conclusion,
-    samples: &[Transition<WORDS>],
+    samples: &[E],
     eligible: &ItemSet<WORDS>,
     config: &GrowthConfig,
 ) -> Option<SimpleSchema> {
@@ -87,8 +87,10 @@ pub(super) fn grow<const WORDS: usize>(
         config,
     };
     let mut context = SignedItems::EMPTY;
-    if eligible.contains(conclusion.item) {
-        let prior = seed.contains(conclusion.item);
+    let (on, off) = (seed.on_before(), seed.off_before());
+    let eligible = eligible.intersection(&on.union(&off));
+    if E::CHANGES && eligible.contains(conclusion.item) {
+        let prior = on.contains(conclusion.item);
         context.insert(conclusion.item, prior).ok()?;
     }
     let mut tally = growth.tally(&context);
@@ -96,8 +98,8 @@ pub(super) fn grow<const WORDS: usize>(
         if usize::from(context.len()) >= SimpleSchema::CONTEXT_ITEMS {
             return None;
         }
-        let best = growth.best_item(seed, eligible, &context, tally)?;
-        context.insert(best, seed.contains(best)).ok()?;
+        let best = growth.best_item(seed, &eligible, &context, tally)?;
+        context.insert(best, on.contains(best)).ok()?;
         tally = growth.tally(&context);
     }
     if tally.agree < config.support {
@@ -109,10 +111,10 @@ pub(super) fn grow<const WORDS: usize>(
 
 /// A harvested context reduced to what the samples need; `None` when even the whole context is
 /// contradicted, or what is left is more than seven items.
-pub(super) fn reduce<const WORDS: usize>(
+pub(super) fn reduce<const WORDS: usize, E: Evidence<WORDS>>(
     context: SignedItems<WORDS>,
     conclusion: Conclusion,
-    samples: &[Transition<WORDS>],
+    samples: &[E],
     config: &GrowthConfig,
 ) -> Option<SimpleSchema> {
     let growth = Growth {
@@ -128,7 +130,7 @@ pub(super) fn reduce<const WORDS: usize>(
     growth.schema(context)
 }
 
-impl<const WORDS: usize> Growth<'_, WORDS> {
+impl<const WORDS: usize, E: Evidence<WORDS>> Growth<'_, WORDS, E> {
     fn schema(&self, context: SignedItems<WORDS>) -> Option<SimpleSchema> {
         let mut result = SignedItems::EMPTY;
         result
@@ -144,14 +146,22 @@ impl<const WORDS: usize> Growth<'_, WORDS> {
         Some(schema)
     }
 
-    fn agrees(&self, sample: &Transition<WORDS>) -> bool {
-        sample.after.contains(self.conclusion.item) == self.conclusion.sign
+    /// Samples to which a context applies and that know the item's state afterwards, each with
+    /// whether it agrees.
+    fn told<'b>(&'b self, context: &'b SignedItems<WORDS>) -> impl Iterator<Item = (&'b E, bool)> {
+        self.samples.iter().filter_map(move |sample| {
+            if !sample.satisfies(context) {
+                return None;
+            }
+            let outcome = sample.outcome(self.conclusion.item)?;
+            Some((sample, outcome == self.conclusion.sign))
+        })
     }
 
     fn tally(&self, context: &SignedItems<WORDS>) -> Tally {
         let mut tally = Tally::default();
-        for sample in self.samples.iter().filter(|it| holds(context, &it.before)) {
-            if self.agrees(sample) {
+        for (_, agrees) in self.told(context) {
+            if agrees {
                 tally.agree = tally.agree.saturating_add(1);
             } else {
                 tally.contradict = tally.contradict.saturating_add(1);
@@ -169,23 +179,20 @@ impl<const WORDS: usize> Growth<'_, WORDS> {
     /// `None` when no item rules out any.
     fn best_item(
         &self,
-        seed: &ItemSet<WORDS>,
+        seed: &E,
         eligible: &ItemSet<WORDS>,
         context: &SignedItems<WORDS>,
         tally: Tally,
     ) -> Option<ItemId> {
+        let on = seed.on_before();
         let used = context.positive().union(context.negative());
         let open = eligible.difference(&used);
         let mut agree = [[0_u16; 32]; WORDS];
         let mut contradict = [[0_u16; 32]; WORDS];
-        for sample in self.samples.iter().filter(|it| holds(context, &it.before)) {
-            let differs = seed.symmetric_difference(&sample.before);
-            let counts = if self.agrees(sample) {
-                &mut agree
-            } else {
-                &mut contradict
-            };
-            for item in open.difference(&differs).iter() {
+        for (sample, agrees) in self.told(context) {
+            let shared = seed.shared(sample);
+            let counts = if agrees { &mut agree } else { &mut contradict };
+            for item in open.intersection(&shared).iter() {
                 let counts = counts.as_flattened_mut();
                 if let Some(count) = counts.get_mut(usize::from(item.0)) {
                     *count = count.saturating_add(1);
@@ -205,7 +212,7 @@ impl<const WORDS: usize> Growth<'_, WORDS> {
             if left.contradict >= tally.contradict {
                 continue;
             }
-            let weight = if seed.contains(item) {
+            let weight = if on.contains(item) {
                 1.0
             } else {
                 self.config.negatives
@@ -251,8 +258,4 @@ fn gain(before: Tally, after: Tally, generality: u8) -> f32 {
         gain *= agreement;
     }
     gain
-}
-
-fn holds<const WORDS: usize>(context: &SignedItems<WORDS>, on: &ItemSet<WORDS>) -> bool {
-    context.positive().is_subset(on) && context.negative().is_disjoint(on)
 }

@@ -4,33 +4,10 @@
 //! Schemas are grown against it (see `grow`); without it a context would be as general as the few
 //! samples at hand allow.
 
-use super::item::ItemSet;
+use super::evidence::{Evidence, Transition};
 use crate::num::Rng;
 
-/// One completed action as it is remembered: the items that were on before and after.
-///
-/// ```
-/// use cla_core::clasm::{ItemSet, Transition};
-/// let it = Transition { before: ItemSet::<1>::first(2), after: ItemSet::first(3) };
-/// assert_eq!(it.changed().iter().map(|item| item.0).collect::<Vec<_>>(), [2]);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Transition<const WORDS: usize> {
-    /// On before the action; all others were off.
-    pub before: ItemSet<WORDS>,
-    /// On after it.
-    pub after: ItemSet<WORDS>,
-}
-
-impl<const WORDS: usize> Transition<WORDS> {
-    /// The items whose state differs.
-    #[must_use]
-    pub fn changed(&self) -> ItemSet<WORDS> {
-        self.before.symmetric_difference(&self.after)
-    }
-}
-
-/// Up to `SAMPLES` transitions of one action, each context once; at most 65,535.
+/// Up to `SAMPLES` pieces of evidence of one action, each context once; at most 65,535.
 ///
 /// ```
 /// use cla_core::clasm::{ItemSet, Reservoir, Transition};
@@ -44,12 +21,12 @@ impl<const WORDS: usize> Transition<WORDS> {
 /// assert_eq!(reservoir.samples(), [from(1), from(3)]); // the easy one has left
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reservoir<const WORDS: usize, const SAMPLES: usize> {
-    samples: heapless::Vec<Transition<WORDS>, SAMPLES, u16>,
+pub struct Reservoir<const WORDS: usize, const SAMPLES: usize, E = Transition<WORDS>> {
+    samples: heapless::Vec<E, SAMPLES, u16>,
     hardness: [u8; SAMPLES],
 }
 
-impl<const WORDS: usize, const SAMPLES: usize> Reservoir<WORDS, SAMPLES> {
+impl<const WORDS: usize, const SAMPLES: usize, E: Evidence<WORDS>> Reservoir<WORDS, SAMPLES, E> {
     /// Of a full reservoir, this many random samples compete for leaving.
     const CANDIDATES: u8 = 4;
     /// Of the samples that surprise nobody, one in this many enters a full reservoir.
@@ -70,9 +47,9 @@ impl<const WORDS: usize, const SAMPLES: usize> Reservoir<WORDS, SAMPLES> {
         }
     }
 
-    /// The transitions in memory.
+    /// What is in memory.
     #[must_use]
-    pub fn samples(&self) -> &[Transition<WORDS>] {
+    pub fn samples(&self) -> &[E] {
         &self.samples
     }
 
@@ -81,14 +58,13 @@ impl<const WORDS: usize, const SAMPLES: usize> Reservoir<WORDS, SAMPLES> {
         self.samples.clear();
     }
 
-    /// Offers a transition; `hardness` counts what was wrong about the predictions for it.
+    /// Offers a sample; `hardness` counts what was wrong about the predictions for it.
     ///
     /// A context that is known takes the new outcome and the larger hardness.
     /// A full reservoir takes every surprise and one in twenty of the others, in place of the least
     /// hard of four random samples.
-    pub fn offer(&mut self, sample: &Transition<WORDS>, hardness: u8, rng: &mut Rng) {
-        let same = |old: &Transition<WORDS>| old.before == sample.before;
-        let known = self.samples.iter().position(same);
+    pub fn offer(&mut self, sample: &E, hardness: u8, rng: &mut Rng) {
+        let known = self.samples.iter().position(|old| old.began_as(sample));
         let place = match known {
             Some(place) => place,
             None if self.samples.push(*sample).is_ok() => self.samples.len() - 1,
@@ -96,7 +72,10 @@ impl<const WORDS: usize, const SAMPLES: usize> Reservoir<WORDS, SAMPLES> {
             None => self.easiest(rng),
         };
         if let Some(old) = self.samples.get_mut(place) {
-            *old = *sample;
+            *old = match known {
+                Some(_) => old.renewed(sample),
+                None => *sample,
+            };
         }
         if let Some(old) = self.hardness.get_mut(place) {
             *old = if known.is_some() {
@@ -120,7 +99,9 @@ impl<const WORDS: usize, const SAMPLES: usize> Reservoir<WORDS, SAMPLES> {
     }
 }
 
-impl<const WORDS: usize, const SAMPLES: usize> Default for Reservoir<WORDS, SAMPLES> {
+impl<const WORDS: usize, const SAMPLES: usize, E: Evidence<WORDS>> Default
+    for Reservoir<WORDS, SAMPLES, E>
+{
     fn default() -> Self {
         Self::new()
     }
@@ -128,8 +109,8 @@ impl<const WORDS: usize, const SAMPLES: usize> Default for Reservoir<WORDS, SAMP
 
 #[cfg(test)]
 mod tests {
-    use super::{Reservoir, Transition};
-    use crate::clasm::{ItemId, ItemSet};
+    use super::Reservoir;
+    use crate::clasm::{ItemId, ItemSet, Transition};
     use crate::num::Rng;
 
     fn numbered(bits: u16) -> Transition<1> {

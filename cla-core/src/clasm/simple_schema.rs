@@ -7,6 +7,7 @@
 //! How contexts are found is not its business (see `grow`).
 
 use super::action::ActionId;
+use super::evidence::Evidence;
 use super::item::{ItemId, ItemSet};
 use super::notation::SchemaText;
 use super::signed_items::SignedItems;
@@ -124,6 +125,26 @@ impl SimpleSchema {
     #[must_use]
     pub fn succeeds<const WORDS: usize>(&self, on: &ItemSet<WORDS>) -> bool {
         on.contains(self.result_item()) == self.result_sign()
+    }
+
+    /// Whether the context is known to have held before an action.
+    #[must_use]
+    pub fn applied<const WORDS: usize, E: Evidence<WORDS>>(&self, sample: &E) -> bool {
+        self.holds_in(&sample.on_before(), &sample.off_before())
+    }
+
+    fn holds_in<const WORDS: usize>(&self, on: &ItemSet<WORDS>, off: &ItemSet<WORDS>) -> bool {
+        self.context().all(|(item, sign)| {
+            let side = if sign { on } else { off };
+            side.contains(item)
+        })
+    }
+
+    /// Whether the result came; `None` when nobody knows.
+    #[must_use]
+    pub fn success<const WORDS: usize, E: Evidence<WORDS>>(&self, sample: &E) -> Option<bool> {
+        let outcome = sample.outcome(self.result_item())?;
+        Some(outcome == self.result_sign())
     }
 
     /// Adds a trial; full counters are halved, so that their share is kept.
@@ -282,25 +303,26 @@ impl<const SCHEMAS: usize> SimpleSchemas<SCHEMAS> {
     }
 
     /// Lets every schema of an action that applied see what came of it, and drops those that
-    /// `keep` does not want any more.
+    /// `keep` does not want any more; a schema whose result nobody knows has no trial.
     ///
-    /// Of the schemas that foresaw the same change the one with the most successes explains it; the
-    /// others were idle.
-    pub fn record<const WORDS: usize>(
+    /// Of the schemas that foresaw the same telling item the one with the most successes explains
+    /// it; the others were idle.
+    pub fn record<const WORDS: usize, E: Evidence<WORDS>>(
         &mut self,
-        before: &ItemSet<WORDS>,
         action: ActionId,
-        after: &ItemSet<WORDS>,
+        sample: &E,
         mut keep: impl FnMut(&SimpleSchema, bool) -> bool,
     ) {
-        let changed = before.symmetric_difference(after);
-        // Successes of the best explanation of each change.
+        let (on, off, telling) = (sample.on_before(), sample.off_before(), sample.telling());
+        // Successes of the best explanation of each item.
         let mut best = [[0_u16; 32]; WORDS];
         self.table.retain_mut(|schema| {
-            if schema.action() != action || !schema.applies(before) {
+            if schema.action() != action || !schema.holds_in(&on, &off) {
                 return true;
             }
-            let success = schema.succeeds(after);
+            let Some(success) = schema.success(sample) else {
+                return true;
+            };
             schema.record(success);
             let slot = best.as_flattened_mut().get_mut(usize::from(schema.result));
             if let (true, Some(most)) = (success, slot) {
@@ -309,12 +331,12 @@ impl<const SCHEMAS: usize> SimpleSchemas<SCHEMAS> {
             keep(schema, success)
         });
         for schema in &mut self.table {
-            if schema.action() != action || !changed.contains(schema.result_item()) {
+            if schema.action() != action || !telling.contains(schema.result_item()) {
                 continue;
             }
             let slot = best.as_flattened_mut().get_mut(usize::from(schema.result));
             let Some(most) = slot else { continue };
-            if schema.applies(before) && schema.succeeds(after) {
+            if schema.holds_in(&on, &off) && schema.success(sample) == Some(true) {
                 if schema.successes == *most {
                     schema.idle = 0;
                     // Of equally successful ones the first explains.
@@ -341,7 +363,7 @@ impl<const SCHEMAS: usize> Default for SimpleSchemas<SCHEMAS> {
 #[cfg(test)]
 mod tests {
     use super::{Entry, SimpleSchema, SimpleSchemas};
-    use crate::clasm::{ItemId, ItemSet, SchemaText, Vocabulary};
+    use crate::clasm::{ItemId, ItemSet, SchemaText, Transition, Vocabulary};
 
     const WORDS: Vocabulary = Vocabulary {
         items: &["a", "b", "c", "d", "e", "f", "g", "h", "i"],
@@ -358,6 +380,13 @@ mod tests {
             set.insert(ItemId(item)).unwrap();
         }
         set
+    }
+
+    fn from_to(before: &[u16], after: &[u16]) -> Transition<1> {
+        Transition {
+            before: on(before),
+            after: on(after),
+        }
     }
 
     #[test]
@@ -393,9 +422,9 @@ mod tests {
         table.enter(pack("+a/x/+b").unwrap());
         table.enter(pack("+c/x/+b").unwrap());
         let x = crate::clasm::ActionId(0);
-        table.record(&on(&[0]), x, &on(&[0, 1]), |_, ok| ok);
+        table.record(x, &from_to(&[0], &[0, 1]), |_, ok| ok);
         for _ in 0..3 {
-            table.record(&on(&[0, 2]), x, &on(&[0, 1, 2]), |_, ok| ok);
+            table.record(x, &from_to(&[0, 2], &[0, 1, 2]), |_, ok| ok);
         }
         assert_eq!(table.enter(pack("+e/x/+f").unwrap()), Entry::Stored);
         assert_eq!(
@@ -403,7 +432,7 @@ mod tests {
             [table.as_slice()[0], pack("+e/x/+f").unwrap()]
         );
         assert_eq!(table.as_slice()[0].successes(), 4);
-        table.record(&on(&[4]), x, &on(&[4, 5]), |_, ok| ok);
+        table.record(x, &from_to(&[4], &[4, 5]), |_, ok| ok);
         assert_eq!(table.enter(pack("+g/x/+h").unwrap()), Entry::Refused);
         assert_eq!(table.losses(), (1, 1));
     }

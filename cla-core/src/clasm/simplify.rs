@@ -6,9 +6,9 @@
 //! On the Microworld that lifts recall from under .5 to about .8, because over-specific contexts,
 //! not missing nodes, are what limits a harvest.
 
+use super::evidence::Transition;
 use super::grow::{Conclusion, GrowthConfig, reduce};
 use super::notation::SchemaText;
-use super::reservoir::Transition;
 use super::simple_schema::SimpleSchema;
 
 /// The simple schemas that a harvested one says, as far as the samples of its action bear them out.

@@ -7,14 +7,22 @@
 //! Statistics are one byte a counter and halve together when one is full: packed as tightly as ours.
 //! Literally, every activation is a trial; tuned, only one where the result does not hold already,
 //! so that results are transitions and staying as it is counts for nothing.
-//! Left out, because recall does not hang on them where nothing is hidden: synthetic items,
-//! composite actions and conjunctive results.
+//! Unreliable schemas may be reified as synthetic items, which are tracked like primitive ones, and
+//! its schemas serve composite actions; results stay single, so conjunctions are made in contexts.
 
-use cla_core::clasm::{ActionId, ItemId, SchemaText, SignedItems, SimpleSchema, Transition};
+use cla_core::clasm::{
+    ActionId, ItemId, ItemStates, SchemaText, SignedItems, SimpleSchema, SyntheticItems, Transition,
+};
 
 use crate::world::microworld::{ACTIONS, ITEMS, Items, WORDS};
 
 const ITEM_COUNT: usize = ITEMS.len();
+/// The most synthetic items: what is left of an item set.
+pub const SYNTHETIC: usize = WORDS * 32 - ITEM_COUNT;
+/// All items that may be tracked.
+const TRACKED: usize = ITEM_COUNT + SYNTHETIC;
+/// Trials after which an unreliable schema is reified.
+const REIFIED_AFTER: u8 = 30;
 
 /// How schemas spin off.
 ///
@@ -65,6 +73,8 @@ pub struct DrescherConfig {
     pub reliable: f32,
     /// No schema is made that would take more memory than this, bytes.
     pub memory: usize,
+    /// Unreliable schemas that are reified, up to [`SYNTHETIC`].
+    pub synthetic: usize,
 }
 
 impl DrescherConfig {
@@ -76,10 +86,16 @@ impl DrescherConfig {
         trials: 2,
         reliable: 0.95,
         memory: 8_000_000,
+        synthetic: 0,
     };
     /// The restricted variant as Drescher words it.
     pub const LITERAL: Self = Self {
         counted: Trials::Every,
+        ..Self::RESTRICTED
+    };
+    /// The restricted variant with synthetic items.
+    pub const COMPLETE: Self = Self {
+        synthetic: SYNTHETIC,
         ..Self::RESTRICTED
     };
     /// The unrestricted variant.
@@ -109,18 +125,11 @@ struct Attributing {
     schema: SimpleSchema,
     all: Count,
     /// Trials with the item on; those with the item off are the rest of `all`.
-    on: [Count; ITEM_COUNT],
+    on: [Count; TRACKED],
     /// Items that have spun off, on and off.
     spun_on: Items,
     spun_off: Items,
 }
-
-/// Bytes of one schema with its statistics: the packed schema, a trial and a success counter for
-/// each item and one pair for all, two bits an item for what has spun off.
-pub const SCHEMA_BYTES: usize =
-    size_of::<SimpleSchema>() + 2 * (ITEM_COUNT + 1) + 2 * size_of::<Items>();
-/// Bytes of one bare schema: turned on and turned off, with two-byte counters.
-pub const BARE_BYTES: usize = 4 * ITEM_COUNT + 4;
 
 /// What one action does to each item, whatever the context (extended result).
 #[derive(Clone, Debug, Default)]
@@ -150,6 +159,7 @@ pub struct Drescher {
     config: DrescherConfig,
     bare: Vec<Bare>,
     schemas: Vec<Attributing>,
+    items: SyntheticItems<WORDS, SYNTHETIC>,
 }
 
 impl Drescher {
@@ -158,29 +168,76 @@ impl Drescher {
     pub fn new(config: DrescherConfig) -> Self {
         let bare = Bare {
             trials: 0,
-            turned: vec![[0; 2]; ITEM_COUNT],
+            turned: vec![[0; 2]; ITEM_COUNT + config.synthetic],
         };
         Self {
             config,
             bare: vec![bare; ACTIONS.len()],
             schemas: Vec::new(),
+            items: SyntheticItems::new(ITEM_COUNT as u16),
         }
+    }
+
+    /// Bytes of one schema with its statistics: the packed schema, a trial and a success counter for
+    /// each item and one pair for all, two bits an item for what has spun off.
+    #[must_use]
+    pub const fn schema_bytes(&self) -> usize {
+        let items = ITEM_COUNT + self.config.synthetic;
+        size_of::<SimpleSchema>() + 2 * (items + 1) + 2 * size_of::<Items>()
+    }
+
+    /// Bytes of one bare schema: turned on and turned off, with two-byte counters.
+    const fn bare_bytes(&self) -> usize {
+        4 * (ITEM_COUNT + self.config.synthetic) + 4
     }
 
     /// Its memory, bytes.
     #[must_use]
-    pub const fn bytes(&self) -> usize {
-        ACTIONS.len() * BARE_BYTES + self.schemas.len() * SCHEMA_BYTES
+    pub fn bytes(&self) -> usize {
+        let items = self.items.as_slice();
+        ACTIONS.len() * self.bare_bytes()
+            + self.schemas.len() * self.schema_bytes()
+            + size_of_val(items)
     }
 
-    /// What each schema says; where it speaks of transitions, with the prior state of its result
+    /// All schemas, those about synthetic items included.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.schemas.len()
+    }
+
+    /// Whether there is no schema yet.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.schemas.is_empty()
+    }
+
+    /// Its synthetic items.
+    #[must_use]
+    pub const fn items(&self) -> &SyntheticItems<WORDS, SYNTHETIC> {
+        &self.items
+    }
+
+    /// Its schemas with at least `trials` trials, as composite actions chain them.
+    #[must_use]
+    pub fn chainable(&self, trials: u8) -> Vec<SimpleSchema> {
+        let tried = self.schemas.iter().filter(|it| it.all.trials >= trials);
+        let packed = tried.filter_map(|it| {
+            let mut schema = SimpleSchema::pack(&it.text(self.config.counted))?;
+            for trial in 0..it.all.trials {
+                schema.record(trial < it.all.successes);
+            }
+            Some(schema)
+        });
+        packed.collect()
+    }
+
+    /// What each schema of primitive items says; where it speaks of transitions, with the prior state of its result
     /// item in its context.
     #[must_use]
     pub fn schemas(&self) -> Vec<SchemaText<WORDS>> {
-        self.schemas
-            .iter()
-            .map(|it| it.text(self.config.counted))
-            .collect()
+        let primitive = self.schemas.iter().filter(|it| it.is_primitive());
+        primitive.map(|it| it.text(self.config.counted)).collect()
     }
 
     /// The schemas that it holds reliable itself after at least `trials` trials.
@@ -189,12 +246,49 @@ impl Drescher {
         let believed = self
             .schemas
             .iter()
+            .filter(|it| it.is_primitive())
             .filter(|it| it.all.trials >= trials && it.reliability() >= reliability);
         believed.map(|it| it.text(self.config.counted)).collect()
     }
 
-    /// Learns from one action.
+    /// Learns from one action; synthetic items that nobody knows count as off.
     pub fn learn(&mut self, action: ActionId, step: &Transition<WORDS>) {
+        if self.config.synthetic == 0 {
+            return self.learn_all(action, step);
+        }
+        let sensed = |on: &Items| ItemStates::from_sets(on, &Items::first(ITEM_COUNT as u16));
+        let (before, after) = (sensed(&step.before), sensed(&step.after));
+        let before = self.items.view(&before);
+        self.items.complete(&before, action, &after);
+        let after = self.items.view(&after);
+        let (before, after) = (*before.on(), *after.on());
+        self.learn_all(action, &Transition { before, after });
+        self.reify();
+    }
+
+    /// Makes a synthetic item of the first schema that many trials show to be unreliable.
+    fn reify(&mut self) {
+        if self.items.as_slice().len() >= self.config.synthetic {
+            return;
+        }
+        let reliable = self.config.reliable;
+        let unreliable = self.schemas.iter().find(|it| {
+            let between = (1.0 - reliable..reliable).contains(&it.reliability());
+            let text = it.text(self.config.counted);
+            let known = self.items.as_slice();
+            it.all.trials >= REIFIED_AFTER
+                && between
+                && it.is_primitive()
+                && known.iter().all(|item| *item.schema() != text)
+        });
+        if let Some(text) = unreliable.map(|it| it.text(self.config.counted)) {
+            self.items
+                .reify(&text)
+                .expect("the item sets have room for it");
+        }
+    }
+
+    fn learn_all(&mut self, action: ActionId, step: &Transition<WORDS>) {
         self.attribute_results(action, step);
         let applicable: Vec<usize> = (0..self.schemas.len())
             .filter(|&index| {
@@ -254,11 +348,11 @@ impl Drescher {
             return;
         };
         let known = self.schemas.iter().any(|it| it.schema.says_as(&schema));
-        if !known && self.bytes() + SCHEMA_BYTES <= self.config.memory {
+        if !known && self.bytes() + self.schema_bytes() <= self.config.memory {
             self.schemas.push(Attributing {
                 schema,
                 all: Count::default(),
-                on: [Count::default(); ITEM_COUNT],
+                on: [Count::default(); TRACKED],
                 spun_on: Items::EMPTY,
                 spun_off: Items::EMPTY,
             });
@@ -276,6 +370,12 @@ impl Attributing {
             .insert(self.schema.result_item(), !self.schema.result_sign())
             .expect("the Microworld's items fit its words");
         text
+    }
+
+    /// Whether it names no synthetic item.
+    fn is_primitive(&self) -> bool {
+        let named = |item: ItemId| usize::from(item.0) < ITEM_COUNT;
+        named(self.schema.result_item()) && self.schema.context().all(|(item, _)| named(item))
     }
 
     fn reliability(&self) -> f32 {
@@ -306,7 +406,7 @@ impl Attributing {
             return;
         }
         let mut best: Option<(f32, ItemId, bool)> = None;
-        for item in (0..ITEM_COUNT as u16).map(ItemId) {
+        for item in (0..(ITEM_COUNT + config.synthetic) as u16).map(ItemId) {
             let Some((z, sign)) = self.relevance(item, config.trials) else {
                 continue;
             };
@@ -360,6 +460,7 @@ impl Attributing {
 #[cfg(test)]
 mod tests {
     use super::{Drescher, DrescherConfig};
+    use crate::experiment::microworld::goals::Chains;
     use crate::experiment::microworld::level1::Life;
     use crate::world::microworld::{Body, Family, Oracle};
 
@@ -381,6 +482,45 @@ mod tests {
             let share = recall.of(family);
             assert!((0.9..=1.0).contains(&share), "{}: {share}", family.name());
         }
+    }
+
+    #[test]
+    fn with_synthetic_items_it_tracks_more_and_pays_for_it() {
+        let (plain, complete) = (
+            grown(DrescherConfig::RESTRICTED, 3000),
+            grown(DrescherConfig::COMPLETE, 3000),
+        );
+        assert_eq!(plain.items().as_slice().len(), 0);
+        assert_eq!(complete.items().as_slice().len(), super::SYNTHETIC);
+        assert_eq!(
+            complete.schema_bytes() - plain.schema_bytes(),
+            2 * super::SYNTHETIC
+        );
+        // Some schemas speak of synthetic items, and the truth is not asked about those.
+        assert!(complete.len() > complete.schemas().len() + 20);
+        assert_eq!(plain.len(), plain.schemas().len());
+        let in_contexts = complete.schemas.iter().filter(|it| {
+            usize::from(it.schema.result_item().0) < super::ITEM_COUNT && !it.is_primitive()
+        });
+        assert!(
+            in_contexts.count() > 10,
+            "items of its own stand in contexts"
+        );
+    }
+
+    #[test]
+    fn its_schemas_serve_composite_actions() {
+        let mechanism = grown(DrescherConfig::RESTRICTED, 5000);
+        let chainable = mechanism.chainable(20);
+        assert!(chainable.len() > 200, "{}", chainable.len());
+        let oracle = Oracle::new(Body::Visible);
+        let mut chains = Chains::new(&oracle, &chainable, &["hp22"]);
+        let hand = oracle.states().iter().filter(|state| {
+            let next = chains.next(0, state);
+            next.is_some_and(|action| action.0 < 4)
+        });
+        let share = hand.count() as f64 / oracle.states().len() as f64;
+        assert!(share > 0.6, "by hand actions towards a hand goal: {share}");
     }
 
     #[test]

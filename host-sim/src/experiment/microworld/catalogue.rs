@@ -138,11 +138,38 @@ pub fn among_whole_schemas(equation: &Schema, schemas: &[Schema], oracle: &Oracl
 /// Looks for an equation among simple schemas: each of its result items has to be said by one.
 ///
 /// Exact is a reliable schema with the same positive context for every result item.
-/// Refined is that reliable schemas, whatever their contexts, foresee every result item in at least
-/// half of the states where the equation applies and holds: `+hp22+vp33` says "the hand is at vf11"
-/// as well as `+vf11+fovl2` does.
+/// Refined is that the brain foresees the equation's whole result more often than not (see
+/// [`Saying`]).
 #[must_use]
 pub fn among_simple_schemas(equation: &Schema, schemas: &[Schema], oracle: &Oracle) -> Found {
+    let said = saying(equation, schemas, oracle);
+    if said.exactly {
+        Found::Exact
+    } else if said.foreseen >= 0.5 {
+        Found::Refined
+    } else {
+        Found::Missed
+    }
+}
+
+/// How far simple schemas say what an equation says.
+///
+/// An equation is true of some of the states where it applies; knowing it is foreseeing its result
+/// there.
+/// By which contexts does not matter: `+hp22+vp33` says "the hand is at vf11" as well as
+/// `+vf11+fovl2` does, and who keeps the simpler schemas has neither of the book's contexts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Saying {
+    /// For every result item there is a reliable schema with just the equation's positive context.
+    pub exactly: bool,
+    /// Of the states where the equation applies and holds, the share in which truly reliable
+    /// schemas foresee all its result items together, in `[0, 1]`.
+    pub foreseen: f64,
+}
+
+/// Compares an equation with what simple schemas say.
+#[must_use]
+pub fn saying(equation: &Schema, schemas: &[Schema], oracle: &Oracle) -> Saying {
     let holds = oracle.where_succeeds(equation);
     let on = equation.result.positive().iter().map(|item| (item, true));
     let off = equation.result.negative().iter().map(|item| (item, false));
@@ -166,18 +193,15 @@ pub fn among_simple_schemas(equation: &Schema, schemas: &[Schema], oracle: &Orac
         all_exact &= exact;
         foreseen.keep(&said);
     }
-    if all_exact {
-        Found::Exact
-    } else if 2 * foreseen.len() >= holds.len() && !holds.is_empty() {
-        Found::Refined
-    } else {
-        Found::Missed
+    Saying {
+        exactly: all_exact,
+        foreseen: foreseen.len() as f64 / holds.len().max(1) as f64,
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Found, Schema, among_simple_schemas, among_whole_schemas, equations};
+    use super::{Found, Schema, among_simple_schemas, among_whole_schemas, equations, saying};
     use crate::world::microworld::{Body, Oracle, VOCABULARY};
 
     fn parse(text: &str) -> Schema {
@@ -238,5 +262,24 @@ mod tests {
             simple(&["+vp23/eyer/+vp33", "-vp13/eyer/-vp23"]),
             Found::Refined
         );
+    }
+
+    #[test]
+    fn what_is_foreseen_is_counted_in_states_where_the_equation_comes_true() {
+        let oracle = Oracle::new(Body::Visible);
+        let equation = parse("+vp23/eyer/-vp23+vp33");
+        let share = |texts: &[&str]| {
+            let schemas: Vec<Schema> = texts.iter().map(|text| parse(text)).collect();
+            saying(&equation, &schemas, &oracle).foreseen
+        };
+        assert_eq!(share(&["+vp23/eyer/+vp33"]), 0.0, "one of two items");
+        assert_eq!(share(&["+vp23/eyer/+vp33", "+vp23/eyer/-vp23"]), 1.0);
+        let some = share(&["+vp23+hp11/eyer/+vp33", "+vp23/eyer/-vp23"]);
+        assert!(
+            (some - 1.0 / 9.0).abs() < 0.01,
+            "the hand is at one of nine: {some}"
+        );
+        // Not reliable: it says that of every state.
+        assert_eq!(share(&["/eyer/+vp33", "+vp23/eyer/-vp23"]), 0.0);
     }
 }

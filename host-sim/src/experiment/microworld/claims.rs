@@ -3,11 +3,14 @@
 use super::catalogue::{Found, equations};
 use super::goals::GOALS;
 use super::level2::Level2;
+use super::synthetic::Findings;
 use super::trial::{BOUNDED_STEPS, DRESCHER_STEPS, Growth, Trial};
-use crate::report::{Bound, Claim, Expectation, Rule};
+use crate::report::{Bound, Claim, Expectation, Rule, mean};
 
 /// A part of a claim's id, its unit, and where a moment of growth has the number.
 type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
+/// Where a trial has a learner's growth.
+type Learner = fn(&Trial) -> &Vec<Growth>;
 /// An equation's number, the seeds of twenty that must have it, and whether level 2 does.
 type Finding = (&'static str, u32, fn(&Level2) -> bool);
 
@@ -18,6 +21,7 @@ pub fn claims(trials: &[Trial]) -> Vec<Claim> {
     claims.extend(simplified(trials));
     claims.extend(goals(trials));
     claims.extend(level2(trials));
+    claims.extend(synthetic(trials));
     claims.extend(head_to_head(trials));
     claims
 }
@@ -130,13 +134,39 @@ fn simplified(trials: &[Trial]) -> Vec<Claim> {
         )
         .rule(Rule::every_seed(Bound::AtLeast(22.0)))
         .book(23.0)
+        .note("refined: its result is foreseen in half or more of the states where it comes true")
         .judge(&numbers(trials, |it| found(&it.simplified_equations))),
+        Expectation::new(
+            "micro.equations_foreseen",
+            "5.4.4",
+            "mean share of an equation's true states in which it is foreseen",
+        )
+        .extension()
+        .note("what refined means, without a threshold")
+        .judge(&numbers(trials, |it| mean(&it.foreseen))),
+        Expectation::new(
+            "micro.equations_foreseen.always",
+            "5.4.4",
+            "of 23 equations, foreseen in nine of ten of these states",
+        )
+        .extension()
+        .judge(&numbers(trials, |it| {
+            it.foreseen.iter().filter(|&&share| share >= 0.9).count() as f64
+        })),
     ]
 }
 
 fn goals(trials: &[Trial]) -> Vec<Claim> {
     let mut claims = Vec::new();
     for (index, group) in GOALS.iter().enumerate() {
+        if group.name.starts_with("5_") {
+            let id = format!("micro.eq.{}", group.name);
+            let unit = "share of attempts within 20 steps";
+            let note = format!("new action <+{}>, by search", group.items[0]);
+            let claim = at_least(&id, "5.4.3", unit, 0.95).note(note);
+            claims.push(claim.judge(&numbers(trials, |it| it.goals[index][1])));
+            continue;
+        }
         let (early, late) = match group.name {
             "hand" | "eye" => (Some(0.98), Some(0.98)),
             "taste" => (Some(0.75), Some(0.93)),
@@ -205,6 +235,47 @@ fn level2(trials: &[Trial]) -> Vec<Claim> {
     claims
 }
 
+fn synthetic(trials: &[Trial]) -> Vec<Claim> {
+    let schemas = "schemas with an item of another action in the result";
+    let of = |of: fn(&Findings) -> f64| numbers(trials, move |it| of(&it.synthetic));
+    vec![
+        at_least("micro.synthetic.schemas", "5.3.1", schemas, 300.0)
+            .extension()
+            .note("believed after ten trials or more; the item is on")
+            .judge(&of(|it| it.schemas as f64)),
+        at_least(
+            "micro.synthetic.reliability",
+            "5.3.1",
+            "mean true reliability of these",
+            0.85,
+        )
+        .extension()
+        .judge(&of(|it| it.reliability)),
+        Expectation::new("micro.synthetic.literal", "5.3.1", schemas)
+            .rule(Rule::every_seed(Bound::AtMost(0.0)))
+            .extension()
+            .note("an item is on only right after its own schema succeeded")
+            .judge(&of(|it| it.literal as f64)),
+        Expectation::new(
+            "micro.synthetic.known",
+            "5.3.1",
+            "share of the items known, where their context holds",
+        )
+        .extension()
+        .judge(&of(|it| it.known)),
+        Expectation::new(
+            "micro.synthetic.right",
+            "5.3.1",
+            "share of these that are as the truth says",
+        )
+        .extension()
+        .judge(&of(|it| it.right)),
+        Expectation::new("micro.synthetic.items", "5.3.1", "synthetic items")
+            .extension()
+            .judge(&of(|it| it.items as f64)),
+    ]
+}
+
 fn head_to_head(trials: &[Trial]) -> Vec<Claim> {
     let mut claims = Vec::new();
     let share = "share of all item changes";
@@ -249,6 +320,38 @@ fn head_to_head(trials: &[Trial]) -> Vec<Claim> {
             let claim = Expectation::new(id, "5.2", unit).extension().note(note);
             claims.push(claim.judge(&theirs));
         }
+    }
+    let columns: [Quantity; 5] = [
+        ("recall", share, |it| it.recall),
+        ("precision", "share of predicted changes that come", |it| {
+            it.precision
+        }),
+        ("schemas", "schemas", |it| it.schemas as f64),
+        ("bytes", "bytes", |it| it.bytes as f64),
+        ("time", "µs a step", |it| it.micros),
+    ];
+    for (what, unit, of) in columns {
+        let variants: [(&str, u32, Learner); 3] = [
+            ("unrestricted.1k", 1_000, |it| &it.unrestricted),
+            ("complete.1k", 1_000, |it| &it.complete),
+            ("complete.3k", 3_000, |it| &it.complete),
+        ];
+        for (variant, steps, growth) in variants {
+            let id = format!("micro.drescher.{what}.{variant}");
+            let theirs = numbers(trials, |it| at(growth(it), steps, of));
+            let claim = Expectation::new(id, "5.2", unit).extension();
+            claims.push(claim.judge(&theirs));
+        }
+    }
+    for (index, group) in GOALS.iter().enumerate().take(6) {
+        let id = format!("micro.drescher.goal.{}", group.name);
+        let unit = "share of attempts within 20 steps";
+        claims.push(
+            Expectation::new(id, "5.1.1", unit)
+                .extension()
+                .note("by the book's chain over its schemas, after 10,000 steps")
+                .judge(&numbers(trials, |it| it.drescher_goals[index])),
+        );
     }
     let ours = numbers(trials, |it| it.clasm.total());
     let theirs = numbers(trials, |it| at(&it.bounded, BOUNDED_STEPS, |it| it.recall));

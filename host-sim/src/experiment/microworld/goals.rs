@@ -54,8 +54,8 @@ pub struct GoalGroup {
     pub attempts: u32,
 }
 
-/// The groups, about 100 attempts each.
-pub const GOALS: [GoalGroup; 6] = [
+/// The groups, about 100 attempts each, and the book's new actions 5.24 to 5.29.
+pub const GOALS: [GoalGroup; 12] = [
     GoalGroup {
         name: "hand",
         items: &[
@@ -90,7 +90,22 @@ pub const GOALS: [GoalGroup; 6] = [
         items: &["hgr"],
         attempts: 100,
     },
+    positional("5_24", &["hp22"]),
+    positional("5_25", &["hp33"]),
+    positional("5_26", &["vp22"]),
+    positional("5_27", &["vp33"]),
+    positional("5_28", &["vf34"]),
+    positional("5_29", &["vf12"]),
 ];
+
+/// One of the book's positional actions (5.24 to 5.29), by its number.
+const fn positional(name: &'static str, items: &'static [&'static str]) -> GoalGroup {
+    GoalGroup {
+        name,
+        items,
+        attempts: 20,
+    }
+}
 
 /// The goal that one item is on.
 #[must_use]
@@ -115,20 +130,16 @@ pub struct Course {
     pub steps: Vec<(ActionId, State)>,
 }
 
-/// Pursues a goal from a state of the world.
+/// Pursues a goal from a state of the world; `next` chooses each action, and gives up with `None`.
 pub fn pursue(
     goal: SignedItems<WORDS>,
     start: State,
     perceive: impl Fn(&State) -> Items,
-    schemas: &[SimpleSchema],
-    planner: &mut Planning,
-    strategy: Strategy,
+    mut next: impl FnMut(&State, &Items) -> Option<ActionId>,
 ) -> Course {
-    let config = CONFIG;
     let (mut state, mut course) = (start, Course::default());
     let mut on = perceive(&state);
     let mut attempt = Attempt::begin(goal, on, STEP_LIMIT);
-    planner.begin();
     loop {
         match attempt.progress(&on) {
             Progress::Reached(_) => {
@@ -138,15 +149,67 @@ pub fn pursue(
             Progress::TimedOut => return course,
             Progress::Underway => {}
         }
-        let next = match strategy {
-            Strategy::Chain => chain_backward(&goal, &on, schemas, config.reliable),
-            Strategy::Search => planner.next_action(&goal, &on, schemas, &config),
+        let Some(action) = next(&state, &on) else {
+            return course;
         };
-        let Some(action) = next else { return course };
         state = state.after(usize::from(action.0));
         on = perceive(&state);
         course.steps.push((action, state));
         attempt.count_step();
+    }
+}
+
+/// The steps of a strategy towards a goal, for [`pursue`]; begins a new attempt.
+pub fn steps<'a>(
+    goal: SignedItems<WORDS>,
+    schemas: &'a [SimpleSchema],
+    planner: &'a mut Planning,
+    strategy: Strategy,
+) -> impl FnMut(&State, &Items) -> Option<ActionId> + 'a {
+    planner.begin();
+    move |_, on| match strategy {
+        Strategy::Chain => chain_backward(&goal, on, schemas, CONFIG.reliable),
+        Strategy::Search => planner.next_action(&goal, on, schemas, &CONFIG),
+    }
+}
+
+/// The book's chains of schemas that change no more: each step is worked out once for a goal and a
+/// state, and remembered.
+#[derive(Clone, Debug)]
+pub struct Chains<'a> {
+    oracle: &'a Oracle,
+    schemas: &'a [SimpleSchema],
+    goals: Vec<SignedItems<WORDS>>,
+    known: Vec<Option<Option<ActionId>>>,
+}
+
+impl<'a> Chains<'a> {
+    /// Nothing worked out; the goals are that one of these items each is on.
+    ///
+    /// # Panics
+    /// When a name is not an item.
+    #[must_use]
+    pub fn new(oracle: &'a Oracle, schemas: &'a [SimpleSchema], names: &[&str]) -> Self {
+        let goals = names.iter().map(|name| goal(item(name).expect("an item")));
+        Self {
+            oracle,
+            schemas,
+            goals: goals.collect(),
+            known: vec![None; names.len() * oracle.states().len()],
+        }
+    }
+
+    /// The next action of the chain towards a goal, by its number.
+    ///
+    /// # Panics
+    /// When there is no such goal or the state cannot be reached.
+    pub fn next(&mut self, number: usize, state: &State) -> Option<ActionId> {
+        let index = self.oracle.index(state).expect("a reachable state");
+        let slot = &mut self.known[number * self.oracle.states().len() + index];
+        *slot.get_or_insert_with(|| {
+            let on = self.oracle.items(index);
+            chain_backward(&self.goals[number], on, self.schemas, CONFIG.reliable)
+        })
     }
 }
 
@@ -172,7 +235,8 @@ pub fn success(
                 }
             };
             let perceive = |state: &State| *oracle.items(index(state));
-            let course = pursue(goal(item), start, perceive, schemas, planner, strategy);
+            let steps = steps(goal(item), schemas, planner, strategy);
+            let course = pursue(goal(item), start, perceive, steps);
             reached += u32::from(course.reached);
             attempts += 1;
         }

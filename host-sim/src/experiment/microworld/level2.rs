@@ -11,7 +11,7 @@ use cla_core::clasm::{
 };
 use cla_core::num::{Rng, Schedule};
 
-use super::goals::{Course, Planning, Strategy, goal, pursue};
+use super::goals::{Chains, Course, goal, pursue};
 use super::level1::{ITEM_COUNT, Life, Step, training};
 use crate::world::microworld::{Body, Cell, Hand, Items, Oracle, State, WORDS, item, set_of};
 
@@ -27,9 +27,9 @@ pub const SAMPLES: u32 = 1500;
 const BETWEEN: u32 = 12;
 
 /// The maps of one mode.
-type Maps = ActionSomBank<10, 10, ITEM_COUNT, 19>;
+pub type Maps = ActionSomBank<10, 10, ITEM_COUNT, 19>;
 /// What is remembered of each composite action, and the cross-modal schemas.
-type Memory = Accommodation<WORDS, 512, 1024, 19>;
+pub type Memory = Accommodation<WORDS, 512, 1024, 19>;
 
 /// What level 2 found.
 ///
@@ -59,14 +59,17 @@ pub struct Level2 {
     pub eq_5_36: bool,
     /// Attempts, and those that reached their goal.
     pub attempts: (u32, u32),
+    /// What the maps of touch and of vision say may be found where a composite action ends, and may
+    /// not be: the composite action's place in [`GOALS`], and the item.
+    pub objects: Vec<(usize, ItemId)>,
 }
 
 /// Runs the composite actions with the schemas of level 1 and learns from their successes.
 #[must_use]
-pub fn learn(seed: u64, oracle: &Oracle, schemas: &[SimpleSchema]) -> Level2 {
+pub fn learn(seed: u64, oracle: &Oracle, chains: &mut Chains) -> Level2 {
     let mut rng = Rng::stream(seed, 55);
     let mut found = Level2::default();
-    let samples = explore(seed, oracle, schemas, &mut found, &mut rng);
+    let samples = explore(seed, oracle, chains, &mut found, &mut rng);
     found.judge_modes(&samples, &mut rng);
     found.judge_cross_modal(&samples, oracle, &mut rng);
     found
@@ -76,12 +79,11 @@ pub fn learn(seed: u64, oracle: &Oracle, schemas: &[SimpleSchema]) -> Level2 {
 fn explore(
     seed: u64,
     oracle: &Oracle,
-    schemas: &[SimpleSchema],
+    chains: &mut Chains,
     found: &mut Level2,
     rng: &mut Rng,
 ) -> Vec<Vec<Step>> {
     let mut life = Life::new(seed.wrapping_add(1 << 32), Body::Visible, 0.0);
-    let mut planner = Box::new(Planning::new());
     let mut samples = vec![Vec::new(); GOALS.len()];
     for round in 0..SAMPLES {
         for (composite, name) in GOALS.iter().enumerate() {
@@ -94,14 +96,8 @@ fn explore(
             let perceive =
                 |state: &State| *oracle.items(oracle.index(state).expect("a reachable state"));
             let start = world.state();
-            let Course { reached, steps } = pursue(
-                goal(item),
-                start,
-                perceive,
-                schemas,
-                &mut planner,
-                Strategy::Chain,
-            );
+            let next = |state: &State, _: &Items| chains.next(composite, state);
+            let Course { reached, steps } = pursue(goal(item), start, perceive, next);
             if let Some(&(_, end)) = steps.last() {
                 world.set_state(end);
             }
@@ -146,6 +142,9 @@ impl Level2 {
                 self.visible += u32::from(shows(&seen, &vp, &[&vp, &vf]));
             }
         }
+        self.objects = unreliable(&felt, &set_of(&["tact", "text1"]), samples);
+        self.objects
+            .extend(unreliable(&seen, &set_of(&["vf"]), samples));
         let both = results_of(samples, &joint, rng);
         self.eq_5_33 = shows(&both, "fovx2", &["tactb", "fovx2"]);
         self.eq_5_34 = shows(&felt, "hp21", &["hp21", "tactl"]);
@@ -278,26 +277,38 @@ fn results_of(samples: &[Vec<Step>], mode: &Items, rng: &mut Rng) -> Vec<Vec<Ite
     maps.maps().iter().map(read).collect()
 }
 
+/// The results `/<goal>/+item` that the maps' nodes have among `items` and that come in fewer than
+/// nine of ten samples, the goals of one hand or eye position only.
+fn unreliable(
+    results: &[Vec<Items>],
+    items: &Items,
+    samples: &[Vec<Step>],
+) -> Vec<(usize, ItemId)> {
+    let mut found = Vec::new();
+    for (composite, (results, samples)) in results.iter().zip(samples).enumerate().take(18) {
+        let goal = item(GOALS[composite]).expect("a goal is an item");
+        for item in items.iter() {
+            let said = |result: &Items| result.contains(goal) && result.contains(item);
+            let comes = samples.iter().filter(|it| it.after.contains(item)).count();
+            if results.iter().any(said) && 10 * comes < 9 * samples.len() {
+                found.push((composite, item));
+            }
+        }
+    }
+    found
+}
+
 /// The share of the states where a cross-modal schema applies in which its result comes when its
 /// goal is reached; the ball comes along in a hand that grips it.
 fn truth(schema: &SimpleSchema, oracle: &Oracle) -> f64 {
     let composite = usize::from(schema.action().0);
-    let place = Cell::all().nth(composite % 9).expect("nine places");
     let (mut applies, mut succeeds) = (0, 0);
     for (index, &state) in oracle.states().iter().enumerate() {
         if !schema.applies(oracle.items(index)) {
             continue;
         }
-        let mut end = state;
-        if composite >= 9 {
-            end.eye_at = place;
-        } else {
-            end.hand_at = place;
-            if state.hand == Hand::Gripping {
-                end.ball_at = place;
-            }
-        }
-        let end = oracle.index(&end).expect("a reachable state");
+        let end = oracle.index(&end_of(composite, state));
+        let end = end.expect("a reachable state");
         applies += 1;
         succeeds += u32::from(schema.succeeds(oracle.items(end)));
     }
@@ -306,4 +317,21 @@ fn truth(schema: &SimpleSchema, oracle: &Oracle) -> f64 {
     } else {
         f64::from(succeeds) / f64::from(applies)
     }
+}
+
+/// Where a composite action that moves the hand (places 0 to 8 of [`GOALS`]) or the eye (9 to 17)
+/// ends: the ball comes along in a hand that grips it.
+#[must_use]
+pub fn end_of(composite: usize, state: State) -> State {
+    let place = Cell::all().nth(composite % 9).expect("nine places");
+    let mut end = state;
+    if composite >= 9 {
+        end.eye_at = place;
+    } else {
+        end.hand_at = place;
+        if state.hand == Hand::Gripping {
+            end.ball_at = place;
+        }
+    }
+    end
 }

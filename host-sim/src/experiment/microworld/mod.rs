@@ -11,6 +11,7 @@ pub mod level1;
 pub mod level2;
 pub mod picture;
 pub mod report;
+pub mod synthetic;
 pub mod trial;
 
 use cla_core::clasm::ItemId;
@@ -55,6 +56,11 @@ pub fn run(options: &MicroworldOptions, progress: &Progress) -> Result<Results, 
     summary.parameter("goal steps", goals::STEP_LIMIT);
     summary.parameter("samples of a composite action", level2::SAMPLES);
     summary.parameter("believed after trials", trial::BELIEVED_TRIALS);
+    summary.parameter(
+        "composite actions labelled in hindsight",
+        synthetic::COMPOSITES,
+    );
+    summary.parameter("an item believed after trials", synthetic::TRIALS);
     let work = |&seed: &u64, ticker: &_| {
         std::thread::scope(|scope| {
             let thread = std::thread::Builder::new().stack_size(STACK);
@@ -73,6 +79,7 @@ pub fn run(options: &MicroworldOptions, progress: &Progress) -> Result<Results, 
     summary.table("equations 5.4 to 5.32", report::catalogue(&trials, &oracle));
     summary.table("recall by family, 100,000 steps", report::families(&trials));
     summary.table("growth", report::growth(&trials));
+    summary.table("persistent objects", report::believed(&trials));
     summary.table("memory", report::memory());
     let mut results = Results::new(summary);
     for (name, figure) in report::figures(&trials)? {
@@ -84,6 +91,7 @@ pub fn run(options: &MicroworldOptions, progress: &Progress) -> Result<Results, 
 /// Educates a brain, lets it pursue the goal from a random state, and writes down every step.
 fn pursue(item: ItemId, seed: u64, oracle: &Oracle, summary: &mut Summary) {
     let (mind, mut planner) = trial::educated(seed, trial::STEPS);
+    let mut pursuing = planner.clone();
     let perceive = |state: &State| {
         let mut world = Microworld::new(0, Body::Visible, 0.0);
         world.set_state(*state);
@@ -117,9 +125,12 @@ fn pursue(item: ItemId, seed: u64, oracle: &Oracle, summary: &mut Summary) {
         goals::goal(item),
         start,
         perceive,
-        mind.schemas(),
-        &mut Box::new(trial::educated(seed, trial::STEPS).1),
-        goals::Strategy::Search,
+        goals::steps(
+            goals::goal(item),
+            mind.schemas(),
+            &mut pursuing,
+            goals::Strategy::Search,
+        ),
     );
     let mut table = Table::new(&["step", "action"]);
     for (step, (action, state)) in course.steps.iter().enumerate() {

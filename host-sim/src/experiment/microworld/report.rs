@@ -6,6 +6,7 @@ use cla_core::clasm::Detail;
 use super::catalogue::{Found, equations};
 use super::goals::Planning;
 use super::level1::{Clasm, Mind};
+use super::synthetic::{Memory, Synthetic};
 use super::trial::{Growth, MOMENTS, Trial, by_family};
 use crate::report::figure::{Axes, FigureError, Line, Picture, Point, line_chart};
 use crate::report::{Table, mean};
@@ -23,6 +24,7 @@ pub fn catalogue(trials: &[Trial], oracle: &Oracle) -> Table {
         "raw: refined",
         "simplified: exact",
         "simplified: refined",
+        "simplified: foreseen",
     ]);
     for (index, equation) in equations().iter().enumerate() {
         let share = |of: fn(&Trial) -> &Vec<Found>, found: Found| {
@@ -42,6 +44,13 @@ pub fn catalogue(trials: &[Trial], oracle: &Oracle) -> Table {
             share(|it| &it.raw_equations, Found::Refined).into(),
             share(|it| &it.simplified_equations, Found::Exact).into(),
             share(|it| &it.simplified_equations, Found::Refined).into(),
+            mean(
+                &trials
+                    .iter()
+                    .map(|it| it.foreseen[index])
+                    .collect::<Vec<f64>>(),
+            )
+            .into(),
         ]);
     }
     table
@@ -74,10 +83,12 @@ type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
 /// One learner's growth: its name, and where a trial has it.
 type Learner = (&'static str, fn(&Trial) -> &Vec<Growth>);
 
-const LEARNERS: [Learner; 4] = [
+const LEARNERS: [Learner; 6] = [
     ("accommodation, 62 kB", |it| &it.growth),
     ("Drescher, tuned", |it| &it.drescher),
     ("Drescher, literal", |it| &it.literal),
+    ("Drescher, with synthetic items", |it| &it.complete),
+    ("Drescher, unrestricted", |it| &it.unrestricted),
     ("Drescher, tuned, in 200 kB", |it| &it.bounded),
 ];
 
@@ -123,6 +134,19 @@ pub fn growth(trials: &[Trial]) -> Table {
     table
 }
 
+/// The last actions of the first seed's life with synthetic items: the world beside what is
+/// believed of it without looking (see [`picture`](super::picture) for the marks).
+#[must_use]
+pub fn believed(trials: &[Trial]) -> Table {
+    let mut table = Table::new(&["action", "world", "where the ball is believed to be felt"]);
+    for pictures in trials.first().iter().flat_map(|it| &it.synthetic.pictures) {
+        let [action, world, believed] = pictures.clone();
+        let line = |text: &str| text.lines().collect::<Vec<_>>().join(" | ");
+        table.row([action.into(), line(&world).into(), line(&believed).into()]);
+    }
+    table
+}
+
 /// The memory of the parts, bytes.
 #[must_use]
 pub fn memory() -> Table {
@@ -131,6 +155,10 @@ pub fn memory() -> Table {
         ("accommodation: table and reservoirs", size_of::<Mind>()),
         ("byte maps, table and reservoirs", Clasm::BYTES),
         ("planner", size_of::<Planning>()),
+        (
+            "synthetic items with what is remembered for them",
+            size_of::<Synthetic>() + size_of::<Memory>(),
+        ),
         (
             "a brain that fits 256 KiB: all but accommodation alone",
             Clasm::BYTES + size_of::<Planning>(),

@@ -9,11 +9,12 @@ use cla_core::clasm::AccommodationConfig;
 use cla_core::num::Rng;
 
 use super::catalogue::{
-    Found, Schema, VALID, among_simple_schemas, among_whole_schemas, equations,
+    Found, Schema, VALID, among_simple_schemas, among_whole_schemas, equations, saying,
 };
-use super::goals::{GOALS, Planning, Strategy, success};
+use super::goals::{Chains, GOALS, Planning, Strategy, success};
 use super::level1::{Clasm, Life, Maps, Mind};
 use super::level2::{self, Level2};
+use super::synthetic::{self, Believer, Findings};
 use crate::baseline::drescher::{Drescher, DrescherConfig};
 use crate::progress::Ticker;
 use crate::world::microworld::{Body, Family, Oracle, Recall};
@@ -30,6 +31,10 @@ pub const DRESCHER_STEPS: u32 = 10_000;
 pub const BOUNDED_STEPS: u32 = 30_000;
 /// Steps that it lives literally.
 pub const LITERAL_STEPS: u32 = 3_000;
+/// Steps that it lives with synthetic items.
+pub const COMPLETE_STEPS: u32 = 3_000;
+/// Steps that its unrestricted variant lives; it is full not much later.
+pub const UNRESTRICTED_STEPS: u32 = 1_000;
 /// The memory of the comparison at equal memory, bytes.
 pub const EQUAL_MEMORY: usize = 200_000;
 /// A simple schema has to be tried or remembered so often before the agent believes it.
@@ -75,6 +80,9 @@ pub struct Trial {
     pub simplified: Recall,
     /// Each equation in accommodation alone.
     pub simplified_equations: Vec<Found>,
+    /// The share of the states where each equation comes true in which accommodation alone foresees
+    /// it.
+    pub foreseen: Vec<f64>,
     /// Accommodation alone at the [`MOMENTS`].
     pub growth: Vec<Growth>,
     /// Recall at 10,000 steps where 5 % of the actions slip.
@@ -84,10 +92,19 @@ pub struct Trial {
     pub goals: Vec<[f64; 3]>,
     /// What level 2 found.
     pub level2: Level2,
+    /// What a life with synthetic items showed.
+    pub synthetic: Findings,
     /// Drescher's mechanism as well tuned as we could.
     pub drescher: Vec<Growth>,
     /// As Drescher words it.
     pub literal: Vec<Growth>,
+    /// Tuned, with synthetic items.
+    pub complete: Vec<Growth>,
+    /// For each of [`GOALS`], success by the book's chain over its schemas after
+    /// [`DRESCHER_STEPS`].
+    pub drescher_goals: Vec<f64>,
+    /// Every relevant item of every schema spins off.
+    pub unrestricted: Vec<Growth>,
     /// Tuned, in no more than [`EQUAL_MEMORY`].
     pub bounded: Vec<Growth>,
 }
@@ -110,9 +127,15 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
     ticker.advance(1);
     let grown = grow(seed, oracle);
     ticker.advance(1);
-    let level2 = level2::learn(seed, oracle, grown.mind.schemas());
+    let mut chains = Chains::new(oracle, grown.mind.schemas(), &level2::GOALS);
+    let level2 = level2::learn(seed, oracle, &mut chains);
+    ticker.advance(1);
+    let mut believer = Believer::new(seed, oracle, &level2.objects);
+    let synthetic = believer.live(&mut chains, synthetic::COMPOSITES);
     ticker.advance(1);
     let known = texts(&grown.mind);
+    let (drescher, mechanism) =
+        attribution(seed, oracle, DrescherConfig::RESTRICTED, DRESCHER_STEPS);
     let trial = Trial {
         raw: oracle.recall(&raw, VALID),
         raw_schemas: raw.len(),
@@ -125,12 +148,26 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
             .iter()
             .map(|it| among_simple_schemas(&it.schema, &known, oracle))
             .collect(),
+        foreseen: equations()
+            .iter()
+            .map(|it| saying(&it.schema, &known, oracle).foreseen)
+            .collect(),
         growth: grown.growth,
         slipping: slipping(seed, oracle),
         goals: grown.goals,
         level2,
-        drescher: attribution(seed, oracle, DrescherConfig::RESTRICTED, DRESCHER_STEPS),
-        literal: attribution(seed, oracle, DrescherConfig::LITERAL, LITERAL_STEPS),
+        synthetic,
+        drescher,
+        drescher_goals: chained(seed, oracle, &mechanism),
+        literal: attribution(seed, oracle, DrescherConfig::LITERAL, LITERAL_STEPS).0,
+        complete: attribution(seed, oracle, DrescherConfig::COMPLETE, COMPLETE_STEPS).0,
+        unrestricted: attribution(
+            seed,
+            oracle,
+            DrescherConfig::UNRESTRICTED,
+            UNRESTRICTED_STEPS,
+        )
+        .0,
         bounded: attribution(
             seed,
             oracle,
@@ -139,14 +176,15 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
                 ..DrescherConfig::RESTRICTED
             },
             BOUNDED_STEPS,
-        ),
+        )
+        .0,
     };
     ticker.advance(1);
     trial
 }
 
 /// Ticks of one trial.
-pub const PARTS: u64 = 5;
+pub const PARTS: u64 = 6;
 
 /// A mind and what was measured while it grew.
 struct Grown {
@@ -257,7 +295,30 @@ fn slipping(seed: u64, oracle: &Oracle) -> f64 {
     oracle.recall(&texts(&mind), VALID).total()
 }
 
-fn attribution(seed: u64, oracle: &Oracle, config: DrescherConfig, steps: u32) -> Vec<Growth> {
+/// What the book's chain reaches with the schemas of Drescher's mechanism.
+fn chained(seed: u64, oracle: &Oracle, mechanism: &Drescher) -> Vec<f64> {
+    let trials = u8::try_from(BELIEVED_TRIALS).unwrap_or(u8::MAX);
+    let (schemas, mut planner) = (mechanism.chainable(trials), Box::new(Planning::new()));
+    let mut tries = Rng::stream(seed, 57);
+    let reached = GOALS.iter().map(|group| {
+        success(
+            group,
+            oracle,
+            &schemas,
+            &mut planner,
+            Strategy::Chain,
+            &mut tries,
+        )
+    });
+    reached.collect()
+}
+
+fn attribution(
+    seed: u64,
+    oracle: &Oracle,
+    config: DrescherConfig,
+    steps: u32,
+) -> (Vec<Growth>, Drescher) {
     let mut life = Life::new(seed, Body::Visible, 0.0);
     let mut mechanism = Drescher::new(config);
     let (mut growth, mut spent) = (Vec::new(), 0.0);
@@ -275,13 +336,13 @@ fn attribution(seed: u64, oracle: &Oracle, config: DrescherConfig, steps: u32) -
                 recall: oracle.recall(&known, VALID).total(),
                 own_recall: predicted.total(),
                 precision: predicted.precision(),
-                schemas: known.len(),
+                schemas: mechanism.len(),
                 bytes: mechanism.bytes(),
                 micros: spent / f64::from(step),
             });
         }
     }
-    growth
+    (growth, mechanism)
 }
 
 /// The families' names with a recall each, for tables.

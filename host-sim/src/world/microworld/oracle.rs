@@ -236,6 +236,16 @@ impl Oracle {
         self.filter(self.where_holds(&schema.context), &schema.result, on_after)
     }
 
+    /// The states, by number, of which something is true.
+    #[must_use]
+    pub fn states_where(&self, is_so: impl Fn(usize) -> bool) -> StateSet {
+        let mut set = self.nowhere();
+        (0..self.states.len())
+            .filter(|&state| is_so(state))
+            .for_each(|state| set.insert(state));
+        set
+    }
+
     /// The states in which a conjunction holds.
     #[must_use]
     pub fn where_holds(&self, items: &SignedItems<WORDS>) -> StateSet {
