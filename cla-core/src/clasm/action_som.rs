@@ -105,7 +105,7 @@ pub(super) struct MapScratch<const WIDTH: usize, const HEIGHT: usize> {
     distances: Grid<f32, WIDTH, HEIGHT>,
 }
 
-/// The map of one action.
+/// The map of one action: a context half `M` and a result half `R`.
 ///
 /// ```
 /// use cla_core::clasm::{ActionSom, ItemId, ItemStates, ResultCoding, Sample, TrainingConfig};
@@ -131,22 +131,28 @@ pub struct ActionSom<
     const HEIGHT: usize,
     const ITEMS: usize,
     M = BinarySom<WIDTH, HEIGHT, ITEMS>,
+    R = M,
 > {
     context: M,
-    result: M,
+    result: R,
     wins: Grid<u16, WIDTH, HEIGHT>,
     recruited: Grid<bool, WIDTH, HEIGHT>,
     samples: u32,
     displaced: u32,
 }
 
-impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<WIDTH, HEIGHT>>
-    ActionSom<WIDTH, HEIGHT, ITEMS, M>
+impl<
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const ITEMS: usize,
+    M: Prototypes<WIDTH, HEIGHT>,
+    R: Prototypes<WIDTH, HEIGHT>,
+> ActionSom<WIDTH, HEIGHT, ITEMS, M, R>
 {
     const fn new() -> Self {
         Self {
             context: M::ZERO,
-            result: M::ZERO,
+            result: R::ZERO,
             wins: Grid::filled(0),
             recruited: Grid::filled(false),
             samples: 0,
@@ -164,7 +170,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
     }
 
     /// All nodes in ascending order.
-    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + use<WIDTH, HEIGHT, ITEMS, M> {
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> + use<WIDTH, HEIGHT, ITEMS, M, R> {
         (0..Grid::<f32, WIDTH, HEIGHT>::NODES as u16).map(NodeId)
     }
 
@@ -209,7 +215,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
         sample: &Sample<WORDS>,
         config: &TrainingConfig,
         scratch: &mut MapScratch<WIDTH, HEIGHT>,
-    ) -> Trained {
+    ) -> (Trained, NodeId) {
         let MapScratch { dots, distances } = scratch;
         self.context
             .squared_distances(&sample.context(), dots, distances);
@@ -242,11 +248,11 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
             .train(&sample.context(), best.node, alpha, &near, may_move);
         self.result
             .train(&sample.result(), best.node, alpha, &near, may_move);
-        Trained::Adapted
+        (Trained::Adapted, best.node)
     }
 
     /// Gives the sample the node with the fewest wins: a free one, or else a recruited one.
-    fn recruit<const WORDS: usize>(&mut self, sample: &Sample<WORDS>) -> Trained {
+    fn recruit<const WORDS: usize>(&mut self, sample: &Sample<WORDS>) -> (Trained, NodeId) {
         let mut least = (true, u16::MAX, 0_usize);
         let nodes = self.recruited.as_slice().iter().zip(self.wins.as_slice());
         for (index, (&recruited, &wins)) in nodes.enumerate() {
@@ -267,9 +273,9 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, M: Prototypes<
         }
         if wins > 0 {
             self.displaced = self.displaced.saturating_add(1);
-            Trained::Displaced
+            (Trained::Displaced, node)
         } else {
-            Trained::Recruited
+            (Trained::Recruited, node)
         }
     }
 
@@ -290,8 +296,9 @@ pub struct ActionSomBank<
     const ITEMS: usize,
     const ACTIONS: usize,
     M = BinarySom<WIDTH, HEIGHT, ITEMS>,
+    R = M,
 > {
-    maps: [ActionSom<WIDTH, HEIGHT, ITEMS, M>; ACTIONS],
+    maps: [ActionSom<WIDTH, HEIGHT, ITEMS, M, R>; ACTIONS],
     scratch: MapScratch<WIDTH, HEIGHT>,
 }
 
@@ -312,9 +319,10 @@ impl<
     const ITEMS: usize,
     const ACTIONS: usize,
     M: Prototypes<WIDTH, HEIGHT>,
-> ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>
+    R: Prototypes<WIDTH, HEIGHT>,
+> ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M, R>
 {
-    /// As `new`, for weights of any kind.
+    /// As `new`, for weights of any kind; results may have fewer features than contexts.
     #[must_use]
     pub const fn zeroed() -> Self {
         Self {
@@ -341,13 +349,24 @@ impl<
         sample: &Sample<WORDS>,
         config: &TrainingConfig,
     ) -> Option<Trained> {
+        let (trained, _) = self.train_node(action, sample, config)?;
+        Some(trained)
+    }
+
+    /// As [`train`](Self::train), and says which node the sample has won.
+    pub fn train_node<const WORDS: usize>(
+        &mut self,
+        action: ActionId,
+        sample: &Sample<WORDS>,
+        config: &TrainingConfig,
+    ) -> Option<(Trained, NodeId)> {
         let map = self.maps.get_mut(usize::from(action.0))?;
         Some(map.train(sample, config, &mut self.scratch))
     }
 
     /// The maps in the order of their actions.
     #[must_use]
-    pub const fn maps(&self) -> &[ActionSom<WIDTH, HEIGHT, ITEMS, M>; ACTIONS] {
+    pub const fn maps(&self) -> &[ActionSom<WIDTH, HEIGHT, ITEMS, M, R>; ACTIONS] {
         &self.maps
     }
 

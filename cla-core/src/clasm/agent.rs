@@ -297,6 +297,18 @@ impl<
         Ok(choice)
     }
 
+    /// Does something else than what was chosen last: a level above knows better.
+    ///
+    /// # Errors
+    /// [`AgentError::NothingChosen`] or [`AgentError::NoSuchAction`]; nothing changes.
+    pub fn redirect(&mut self, action: ActionId) -> Result<(), AgentError> {
+        if usize::from(action.0) >= ACTIONS {
+            return Err(AgentError::NoSuchAction(action));
+        }
+        *self.chosen.as_mut().ok_or(AgentError::NothingChosen)? = action;
+        Ok(())
+    }
+
     /// Learns from the action that was chosen last, which has led to `now`.
     ///
     /// # Errors

@@ -65,8 +65,9 @@ pub fn harvest_node<
     const HEIGHT: usize,
     const ITEMS: usize,
     M: Prototypes<WIDTH, HEIGHT>,
+    R: Prototypes<WIDTH, HEIGHT>,
 >(
-    map: &ActionSom<WIDTH, HEIGHT, ITEMS, M>,
+    map: &ActionSom<WIDTH, HEIGHT, ITEMS, M, R>,
     node: NodeId,
     coding: ResultCoding,
     config: &HarvestConfig,
@@ -133,8 +134,13 @@ mod tests {
     fn end_states_and_changes_read_differently() {
         let read = |coding| {
             let bank = one_node(coding);
-            harvest_node::<1, 1, 1, 3, _>(&bank.maps()[0], NodeId(0), coding, &HarvestConfig::BOOK)
-                .unwrap()
+            harvest_node::<1, 1, 1, 3, _, _>(
+                &bank.maps()[0],
+                NodeId(0),
+                coding,
+                &HarvestConfig::BOOK,
+            )
+            .unwrap()
         };
         let end = read(ResultCoding::EndState);
         assert_eq!(end.result.positive().iter().count(), 2);
@@ -163,7 +169,7 @@ mod tests {
     fn a_node_that_never_won_is_passed_over_on_request() {
         let mut bank = ActionSomBank::<2, 2, 3, 1>::new();
         bank.randomize(&mut Rng::new(8));
-        let node = harvest_node::<1, 2, 2, 3, _>(
+        let node = harvest_node::<1, 2, 2, 3, _, _>(
             &bank.maps()[0],
             NodeId(0),
             ResultCoding::EndState,

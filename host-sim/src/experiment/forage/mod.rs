@@ -7,6 +7,7 @@ mod claims;
 pub mod life;
 pub mod measure;
 pub mod second;
+pub mod som_level2;
 pub mod trial;
 
 use cla_core::clasm::AgentConfig;

@@ -225,6 +225,31 @@ fn found(brain: &Brain) -> Vec<Found> {
     found
 }
 
+/// A world that nobody has lived in; each way of counting has its own.
+///
+/// # Errors
+/// [`Failure`] when it cannot be built.
+pub fn fresh(
+    world: &WorldOptions,
+    after_capture: AfterCapture,
+    seed: u64,
+) -> Result<Pioneer, Failure> {
+    let config = PioneerConfig {
+        after_capture,
+        ..world.config
+    };
+    let other = WorldOptions {
+        config,
+        layout: world.layout.clone(),
+    };
+    let stream = match after_capture {
+        AfterCapture::Replaced => 1,
+        AfterCapture::Removed => 2,
+    };
+    // Far from every seed that a person names, so that no test repeats a training world.
+    Ok(other.build(Rng::stream(seed, stream).next_seed())?)
+}
+
 /// What every test of one seed shares.
 pub(super) struct Bench<'a> {
     pub(super) options: &'a ForageOptions,
@@ -233,30 +258,12 @@ pub(super) struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// A world that nobody has lived in; each way of counting has its own.
-    fn fresh(&self, world: &WorldOptions, after_capture: AfterCapture) -> Result<Pioneer, Failure> {
-        let config = PioneerConfig {
-            after_capture,
-            ..world.config
-        };
-        let other = WorldOptions {
-            config,
-            layout: world.layout.clone(),
-        };
-        let stream = match after_capture {
-            AfterCapture::Replaced => 1,
-            AfterCapture::Removed => 2,
-        };
-        // Far from every seed that a person names, so that no test repeats a training world.
-        Ok(other.build(Rng::stream(self.seed, stream).next_seed())?)
-    }
-
     /// Tests a copy of a brain: greedy, with reliabilities that go on adapting.
     pub(super) fn test(&self, brain: &Brain, world: &WorldOptions) -> Result<Captures, Failure> {
         let count = |after_capture| -> Result<u32, Failure> {
             let mut copy = Box::new(brain.clone());
             copy.act(Adaptation::Reliabilities)?;
-            let mut world = self.fresh(world, after_capture)?;
+            let mut world = fresh(world, after_capture, self.seed)?;
             let tally = live(&mut *copy, &mut world, self.options.test_actions)?;
             self.ticker.advance(u64::from(self.options.test_actions));
             Ok(tally.captures)
@@ -287,7 +294,7 @@ impl Bench<'_> {
         world: &WorldOptions,
     ) -> Result<Captures, Failure> {
         let mut count = |after_capture| -> Result<u32, Failure> {
-            let mut world = self.fresh(world, after_capture)?;
+            let mut world = fresh(world, after_capture, self.seed)?;
             let mut rng = Rng::stream(self.seed, 3);
             let actions = self.options.test_actions;
             let captures = baseline::live(&mut world, &sense, controller, &mut rng, actions);

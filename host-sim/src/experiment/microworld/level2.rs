@@ -264,7 +264,7 @@ fn results_of(samples: &[Vec<Step>], mode: &Items, rng: &mut Rng) -> Vec<Vec<Ite
         let nodes = (0..100).map(cla_core::som::NodeId);
         nodes
             .filter_map(|node| {
-                harvest_node::<WORDS, 10, 10, ITEM_COUNT, _>(
+                harvest_node::<WORDS, 10, 10, ITEM_COUNT, _, _>(
                     map,
                     node,
                     ResultCoding::EndState,
