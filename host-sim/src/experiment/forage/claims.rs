@@ -174,6 +174,35 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
     all
 }
 
+/// A harvested second level against the first; `least` is the rule's ratio, NaN for none.
+fn harvested(
+    trials: &[Trial],
+    id: &str,
+    note: &str,
+    (least, above): (f64, fn(&Trial) -> Captures),
+    below: fn(&Trial) -> Captures,
+) -> Claim {
+    let level2 = of(trials, |t| f64::from(above(t).replaced));
+    let level1 = of(trials, |t| f64::from(below(t).replaced));
+    let welch = welch_t(&level2, &level1);
+    let ratio = mean(&level2) / mean(&level1);
+    let expectation = Expectation::new(format!("forage.level2_{id}"), "6.2.5", "ratio")
+        .extension()
+        .note(format!(
+            "{note} (Welch t = {:.2}, p = {:.1e})",
+            welch.t, welch.p
+        ));
+    let ruled = if least.is_nan() {
+        expectation
+    } else {
+        expectation.rule(Rule::Judged {
+            text: format!("ratio >= {least} and Welch t >= 3"),
+            met: ratio >= least && welch.t >= 3.0,
+        })
+    };
+    ruled.judge_ratio(&level2, &level1)
+}
+
 /// The second level against the first after the same 20,000 actions.
 fn second_level(trials: &[Trial]) -> Vec<Claim> {
     let captures = "captures in 3000 actions";
@@ -231,6 +260,27 @@ fn second_level(trials: &[Trial]) -> Vec<Claim> {
         versus("clean", 0.97, "no drop-out, no noise of steps and turns", |t| {
             t.second_noise_free
         }),
+        harvested(
+            trials,
+            "som_over_level1.noisy",
+            "level 2 harvested from Action SOMs whose nodes count",
+            (1.10, |t| t.harvested.counters),
+            |t| t.second.level1,
+        ),
+        harvested(
+            trials,
+            "som_cut_over_level1.noisy",
+            "the same maps read with the book's cut: items on in nine of ten cases",
+            (f64::NAN, |t| t.harvested.cut),
+            |t| t.second.level1,
+        ),
+        harvested(
+            trials,
+            "som_over_level1.R12",
+            "level 2 harvested from Action SOMs, a room of 12 m",
+            (1.3, |t| t.harvested.large),
+            |t| t.second_large.level1,
+        ),
         versus("R12", 1.4, "a room of 12 m", |t| t.second_large),
         Expectation::new("forage.level2_over_sector", "6.2.5", "ratio")
             .extension()
@@ -324,6 +374,12 @@ fn captures_table(trials: &[Trial]) -> Table {
     row("CLA, level 1 (ours)", &last);
     row("CLA, level 1, 20,000 actions", &|t| t.second.level1);
     row("CLA, levels 1 and 2, 20,000 actions", &|t| t.second.level2);
+    row("CLA, level 2 from SOMs, 20,000 actions", &|t| {
+        t.harvested.counters
+    });
+    row("CLA, level 2 from SOMs, read with the cut", &|t| {
+        t.harvested.cut
+    });
     row("CLA, ours with the book's choice rule", &|t| {
         t.lexicographic
     });

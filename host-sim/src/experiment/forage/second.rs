@@ -4,12 +4,13 @@
 //! Each explores as suits it best: level 1 in runs of 50, of which four in five are greedy (250
 //! captures; as level 2 does, 246), level 2 at every tenth action (seeds 20 to 43).
 
-use cla_core::clasm::{AgentConfig, Estimate, Level2Config};
+use cla_core::clasm::{AgentConfig, Estimate, Level2Config, Reading, SomLevelConfig};
 use cla_core::forager::pioneer::Brain;
 use cla_core::num::Rng;
 
 use super::life::live;
 use super::trial::{Bench, Captures};
+use super::{ForageOptions, som_level2};
 use crate::options::{Failure, WorldOptions};
 
 /// Share of greedy runs when level 1 goes on alone.
@@ -25,6 +26,44 @@ pub struct Pair {
     pub level1: Captures,
     /// With the second level.
     pub level2: Captures,
+}
+
+/// What a second level harvested from Action SOMs collects (see `som_level2`).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Harvested {
+    /// Its nodes count how often items were on.
+    pub counters: Captures,
+    /// Only items that were on in nine of ten cases are read, as the book says.
+    pub cut: Captures,
+    /// With counters, in the large room.
+    pub large: Captures,
+}
+
+/// Gives the second level in the book's form its trials.
+///
+/// # Errors
+/// [`Failure`] when a world cannot be built or a brain cannot go on.
+pub(super) fn harvested(bench: &Bench<'_>, large: &WorldOptions) -> Result<Harvested, Failure> {
+    let there = ForageOptions {
+        world: large.clone(),
+        ..bench.options.clone()
+    };
+    let counters = SomLevelConfig::FORAGER;
+    let cut = SomLevelConfig {
+        reading: Reading::Cut(0.9),
+        ..counters
+    };
+    let one = |options: &ForageOptions, config| -> Result<Captures, Failure> {
+        let captures = som_level2::captures(options, config, bench.seed)?;
+        let actions = 2 * (bench.options.actions + bench.options.test_actions);
+        bench.ticker.advance(u64::from(actions));
+        Ok(captures)
+    };
+    Ok(Harvested {
+        counters: one(bench.options, counters)?,
+        cut: one(bench.options, cut)?,
+        large: one(&there, counters)?,
+    })
 }
 
 /// What is known of the second level of one brain.

@@ -136,6 +136,7 @@ pub fn trained(
     live(&mut *brain, &mut world, options.actions)?;
     brain.reconfigure(AgentConfig {
         greedy_share: AgentConfig::FORAGER_LEVEL2.greedy_share,
+        training_run: AgentConfig::FORAGER_LEVEL2.training_run,
         ..alone
     })?;
     let mut both = TwoLevels::new(brain, alone.values, config, seed);

@@ -11,7 +11,7 @@ use cla_core::num::Rng;
 
 use super::life::live;
 use super::measure::{Record, promises, record_of};
-use super::second::{self, Insight, LARGE, Pair};
+use super::second::{self, Harvested, Insight, LARGE, Pair};
 use super::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
 use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
@@ -73,6 +73,8 @@ pub struct Trial {
     pub second_noise_free: Pair,
     /// As `second`, in the large room.
     pub second_large: Pair,
+    /// The second level harvested from Action SOMs.
+    pub harvested: Harvested,
     /// Deferred values of s1 to s5 after training.
     pub deferred: [f64; 5],
     /// What the trained brain knows of each of [`BOOK_SCHEMAS`].
@@ -88,8 +90,8 @@ pub struct Trial {
 /// How many actions one seed takes, for the progress bar.
 #[must_use]
 pub fn work(options: &ForageOptions) -> u64 {
-    let tests = u64::from(options.actions / SNAPSHOT + 1) + 7 + 6;
-    u64::from(options.actions) * 11 + tests * 2 * u64::from(options.test_actions)
+    let tests = u64::from(options.actions / SNAPSHOT + 1) + 7 + 6 + 3;
+    u64::from(options.actions) * 17 + tests * 2 * u64::from(options.test_actions)
 }
 
 /// Runs one seed.
@@ -161,6 +163,7 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
         insight,
         second_noise_free,
         second_large,
+        harvested: second::harvested(&bench, &large)?,
         first_ingrip,
         training_captures,
         book: bench.test(&all_by_the_book, &options.world)?,
