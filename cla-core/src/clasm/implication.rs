@@ -363,8 +363,8 @@ impl<
             let row = self.row(place)?;
             let tried = *row.tried.get(usize::from(action.0))?;
             let labels = self.labels.after(place, action).iter();
-            let on = labels.filter(|label| label.item == item).map(|it| it.on);
-            Some((on.last().unwrap_or(0.0), tried))
+            let mut on = labels.filter(|label| label.item == item).map(|it| it.on);
+            Some((on.next_back().unwrap_or(0.0), tried))
         };
         match reading {
             Reading::Counters { prior, trace_prior } => {

@@ -259,7 +259,10 @@ impl<
         let place = self.implied.place(host, trace)?;
         let tried = *self.implied.row(place)?.tried.get(usize::from(action.0))?;
         let labels = self.implied.labels.after(place, action).iter();
-        let on = labels.filter(|it| it.item == item).map(|it| it.on).last();
+        let on = labels
+            .filter(|it| it.item == item)
+            .map(|it| it.on)
+            .next_back();
         Some((tried, on.unwrap_or(0.0)))
     }
 

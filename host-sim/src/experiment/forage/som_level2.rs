@@ -153,6 +153,27 @@ pub fn captures(
     config: SomLevelConfig,
     seed: u64,
 ) -> Result<Captures, Failure> {
+    // The level is larger than a thread's usual stack, and a value may pass through it on its way
+    // into its box.
+    let life = || tested(options, config, seed);
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK);
+        let thread = thread.spawn_scoped(scope, life);
+        let thread = thread?;
+        thread
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}
+
+/// Bytes of stack for a life with a [`Level`].
+const STACK: usize = 8 * size_of::<Level>();
+
+fn tested(
+    options: &ForageOptions,
+    config: SomLevelConfig,
+    seed: u64,
+) -> Result<Captures, Failure> {
     let both = trained(options, config, seed)?;
     let count = |after_capture| -> Result<u32, Failure> {
         let mut copy = both.clone();

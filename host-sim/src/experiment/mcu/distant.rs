@@ -116,7 +116,7 @@ impl Distant {
             Some(to) => to.write_all(bytes).and_then(|()| to.flush()),
             None => return Err("the wire was cut".into()),
         };
-        sent.or_else(|_| Err(self.obituary()))
+        sent.map_err(|_| self.obituary())
     }
 
     /// The answer to the present number; `None` when it stays away. Older answers are passed over.
