@@ -56,7 +56,7 @@ impl SomLevelConfig {
         harvest_every: 500,
         reading: Reading::Counters {
             prior: 2.0,
-            trace_prior: 10.0,
+            trace_prior: 100.0,
         },
         forgetting: 0.01,
         values_per_step: 4,
@@ -247,20 +247,24 @@ impl<
     }
 
     /// How often `action` was done right after a level-2 schema had succeeded, newer times weighing
-    /// more, and how often `item` was on then.
+    /// more: how often the items of that action were known.
     #[must_use]
-    pub fn evidence(
-        &self,
-        host: SyntheticId,
-        trace: Option<SyntheticId>,
-        item: SyntheticId,
-    ) -> Option<(f32, f32)> {
-        let action = self.implied.item(item)?.text.action;
-        let place = self.implied.place(host, trace)?;
-        let tried = *self.implied.row(place)?.tried.get(usize::from(action.0))?;
-        let labels = self.implied.labels.after(place, action).iter();
-        let on = labels.filter(|it| it.item == item).map(|it| it.on).last();
-        Some((tried, on.unwrap_or(0.0)))
+    pub fn tried(&self, host: SyntheticId, trace: Option<SyntheticId>, action: ActionId) -> f32 {
+        let place = self.implied.place(host, trace);
+        let row = place.and_then(|place| self.implied.row(place));
+        let tried = row.and_then(|row| row.tried.get(usize::from(action.0)));
+        tried.copied().unwrap_or(0.0)
+    }
+
+    /// How often an item was on then.
+    #[must_use]
+    pub fn on(&self, host: SyntheticId, trace: Option<SyntheticId>, item: SyntheticId) -> f32 {
+        let place = self.implied.place(host, trace);
+        let (Some(place), Some(it)) = (place, self.implied.item(item)) else {
+            return 0.0;
+        };
+        let mut labels = self.implied.labels.after(place, it.text.action).iter();
+        labels.find(|it| it.item == item).map_or(0.0, |it| it.on)
     }
 
     /// What did not fit so far.
@@ -689,3 +693,7 @@ impl<
         Self::new()
     }
 }
+
+#[cfg(test)]
+#[path = "som_level_tests.rs"]
+mod tests;
