@@ -195,7 +195,7 @@ mod tests {
     use crate::experiment::forage::som_level2::trained;
     use crate::options::WorldOptions;
     use crate::world::config::PioneerConfig;
-    use cla_core::clasm::{AgentConfig, SchemaText, SomLevelConfig};
+    use cla_core::clasm::{Adaptation, AgentConfig, SchemaText, SomLevelConfig};
     use cla_core::forager::pioneer::VOCABULARY;
 
     #[test]
@@ -209,16 +209,17 @@ mod tests {
     #[test]
     fn a_sector_is_refined_by_what_has_succeeded() {
         let options = ForageOptions {
-            seeds: vec![0],
+            seeds: vec![3],
             world: WorldOptions {
                 config: PioneerConfig::NOISY,
                 layout: None,
             },
             brain: AgentConfig::FORAGER,
-            actions: 5_000,
+            actions: 10_000,
             test_actions: 0,
         };
-        let forager = trained(&options, SomLevelConfig::FORAGER, 0.2, 0).unwrap();
+        let mut forager = trained(&options, SomLevelConfig::FORAGER, 0.8, 3).unwrap();
+        forager.act(Adaptation::Reliabilities).unwrap();
         let findings = findings(&forager).unwrap();
         let (printed, finding) = (&PRINTED[0], &findings[0]);
         assert_eq!(printed.number, "6_6");
