@@ -362,9 +362,9 @@ impl<
         let share = |place: u16| {
             let row = self.row(place)?;
             let tried = *row.tried.get(usize::from(action.0))?;
-            let labels = self.labels.after(place, action).iter();
-            let mut on = labels.filter(|label| label.item == item).map(|it| it.on);
-            Some((on.next_back().unwrap_or(0.0), tried))
+            let mut labels = self.labels.after(place, action).iter();
+            let on = labels.find(|label| label.item == item);
+            Some((on.map_or(0.0, |label| label.on), tried))
         };
         match reading {
             Reading::Counters { prior, trace_prior } => {

@@ -34,6 +34,7 @@ mod signed_items;
 mod simple_schema;
 mod simplify;
 mod som_level;
+mod som_reading;
 mod surprise;
 mod synthetic;
 mod value;

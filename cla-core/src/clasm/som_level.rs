@@ -10,16 +10,16 @@ use super::action::ActionId;
 use super::action_som::{ActionSomBank, Trained, TrainingConfig};
 use super::belief::SyntheticId;
 use super::choice::Preference;
-use super::harvest::{HarvestConfig, harvest_node};
+use super::harvest::HarvestConfig;
 use super::implication::{Implications, Reading, Synthetic};
-use super::item::{ItemId, ItemSet, ItemStates};
+use super::item::{ItemId, ItemStates};
 use super::knowledge::KnowledgeBase;
 use super::labels::Labels;
 use super::notation::SchemaText;
 use super::reliability::Reliability;
 use super::sample::{ResultCoding, Sample};
 use super::schema::SchemaId;
-use super::signed_items::SignedItems;
+use super::som_reading::{read, widened};
 use super::value::ValueConfig;
 use crate::num::Rng;
 use crate::som::{BinarySom, Grid};
@@ -56,7 +56,7 @@ impl SomLevelConfig {
         harvest_every: 500,
         reading: Reading::Counters {
             prior: 2.0,
-            trace_prior: 10.0,
+            trace_prior: 100.0,
         },
         forgetting: 0.01,
         values_per_step: 4,
@@ -100,7 +100,7 @@ pub struct SomLevelLosses {
 
 /// Maps whose context half has every feature and whose result half only the primitive items: of the
 /// synthetic items after an action nodes keep counters instead of weights.
-type Bank<
+pub(super) type Bank<
     const ITEMS: usize,
     const FEATURES: usize,
     const WIDTH: usize,
@@ -247,23 +247,24 @@ impl<
     }
 
     /// How often `action` was done right after a level-2 schema had succeeded, newer times weighing
-    /// more, and how often `item` was on then.
+    /// more: how often the items of that action were known.
     #[must_use]
-    pub fn evidence(
-        &self,
-        host: SyntheticId,
-        trace: Option<SyntheticId>,
-        item: SyntheticId,
-    ) -> Option<(f32, f32)> {
-        let action = self.implied.item(item)?.text.action;
-        let place = self.implied.place(host, trace)?;
-        let tried = *self.implied.row(place)?.tried.get(usize::from(action.0))?;
-        let labels = self.implied.labels.after(place, action).iter();
-        let on = labels
-            .filter(|it| it.item == item)
-            .map(|it| it.on)
-            .next_back();
-        Some((tried, on.unwrap_or(0.0)))
+    pub fn tried(&self, host: SyntheticId, trace: Option<SyntheticId>, action: ActionId) -> f32 {
+        let place = self.implied.place(host, trace);
+        let row = place.and_then(|place| self.implied.row(place));
+        let tried = row.and_then(|row| row.tried.get(usize::from(action.0)));
+        tried.copied().unwrap_or(0.0)
+    }
+
+    /// How often an item was on then.
+    #[must_use]
+    pub fn on(&self, host: SyntheticId, trace: Option<SyntheticId>, item: SyntheticId) -> f32 {
+        let place = self.implied.place(host, trace);
+        let (Some(place), Some(it)) = (place, self.implied.item(item)) else {
+            return 0.0;
+        };
+        let mut labels = self.implied.labels.after(place, it.text.action).iter();
+        labels.find(|it| it.item == item).map_or(0.0, |it| it.on)
     }
 
     /// What did not fit so far.
@@ -591,91 +592,6 @@ impl<
     }
 }
 
-/// What one node says: a level-2 schema.
-struct Said {
-    host: SyntheticId,
-    trace: Option<SyntheticId>,
-    node: u16,
-}
-
-/// Reads every node that says something about an item's schema; how many others have won.
-fn read<
-    const WORDS: usize,
-    const ITEMS: usize,
-    const WIDE: usize,
-    const FEATURES: usize,
-    const WIDTH: usize,
-    const HEIGHT: usize,
-    const ACTIONS: usize,
-    const ROWS: usize,
-    const LABELS: usize,
->(
-    bank: &Bank<ITEMS, FEATURES, WIDTH, HEIGHT, ACTIONS>,
-    implied: &mut Implications<WORDS, FEATURES, ACTIONS, ROWS, LABELS>,
-    config: &SomLevelConfig,
-    mut found: impl FnMut(&mut Implications<WORDS, FEATURES, ACTIONS, ROWS, LABELS>, Said),
-) -> u32 {
-    let mut unread = 0;
-    let nodes = Grid::<f32, WIDTH, HEIGHT>::NODES;
-    for (action, map) in bank.maps().iter().enumerate() {
-        for node in map.nodes() {
-            let coding = ResultCoding::EndState;
-            let Some(said) =
-                harvest_node::<WIDE, _, _, _, _, _>(map, node, coding, &config.harvest)
-            else {
-                continue;
-            };
-            let text = SchemaText {
-                context: primitive(&said.context, ITEMS as u16),
-                action: ActionId(action as u16),
-                result: primitive(&said.result, ITEMS as u16),
-            };
-            let Some(host) = implied.item_of(&text) else {
-                unread += 1;
-                continue;
-            };
-            let mut traces = said.context.positive().iter();
-            let trace = traces.find(|item| usize::from(item.0) >= ITEMS);
-            let said = Said {
-                host,
-                trace: trace.map(|item| SyntheticId(item.0 - ITEMS as u16)),
-                node: (action * nodes) as u16 + node.0,
-            };
-            found(implied, said);
-        }
-    }
-    unread
-}
-
-/// The states of the first `items` items among more of them; the others are unknown.
-fn widened<const WORDS: usize, const WIDE: usize>(
-    states: &ItemStates<WORDS>,
-    items: u16,
-) -> Option<ItemStates<WIDE>> {
-    let mut wide = ItemStates::UNKNOWN;
-    for item in 0..items {
-        wide.set(ItemId(item), states.get(ItemId(item))).ok()?;
-    }
-    Some(wide)
-}
-
-/// The part of a conjunction that is about the first `items` items.
-fn primitive<const WIDE: usize, const WORDS: usize>(
-    all: &SignedItems<WIDE>,
-    items: u16,
-) -> SignedItems<WORDS> {
-    let mut part = SignedItems::EMPTY;
-    let of = |set: &ItemSet<WIDE>, item: u16| set.contains(ItemId(item));
-    for item in 0..items {
-        let positive = of(all.positive(), item);
-        if positive || of(all.negative(), item) {
-            // The item fits: there are no more primitive items than bits.
-            let _ = part.insert(ItemId(item), positive);
-        }
-    }
-    part
-}
-
 impl<
     const WORDS: usize,
     const ITEMS: usize,
@@ -692,3 +608,7 @@ impl<
         Self::new()
     }
 }
+
+#[cfg(test)]
+#[path = "som_level_tests.rs"]
+mod tests;

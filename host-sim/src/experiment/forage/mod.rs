@@ -4,6 +4,8 @@
 //! knowledge base says about the book's schemas, `second` the second level on trial, `claims` what is concluded from all seeds.
 
 mod claims;
+mod level2_claims;
+pub mod level2_schemas;
 pub mod life;
 pub mod measure;
 pub mod second;

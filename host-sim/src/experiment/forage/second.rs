@@ -8,6 +8,7 @@ use cla_core::clasm::{AgentConfig, Estimate, Level2Config, Reading, SomLevelConf
 use cla_core::forager::pioneer::Brain;
 use cla_core::num::Rng;
 
+use super::level2_schemas::Finding;
 use super::life::live;
 use super::trial::{Bench, Captures};
 use super::{ForageOptions, som_level2};
@@ -37,6 +38,8 @@ pub struct Harvested {
     pub cut: Captures,
     /// With counters, in the large room.
     pub large: Captures,
+    /// What the first of them knows of the book's level-2 schemas.
+    pub findings: [Finding; 5],
 }
 
 /// Gives the second level in the book's form its trials.
@@ -53,6 +56,7 @@ pub(super) fn harvested(bench: &Bench<'_>, large: &WorldOptions) -> Result<Harve
         reading: Reading::Cut(0.9),
         ..counters
     };
+    let (first, findings) = som_level2::examined(bench.options, counters, bench.seed)?;
     let one = |options: &ForageOptions, config| -> Result<Captures, Failure> {
         let captures = som_level2::captures(options, config, bench.seed)?;
         let actions = 2 * (bench.options.actions + bench.options.test_actions);
@@ -60,7 +64,8 @@ pub(super) fn harvested(bench: &Bench<'_>, large: &WorldOptions) -> Result<Harve
         Ok(captures)
     };
     Ok(Harvested {
-        counters: one(bench.options, counters)?,
+        counters: first,
+        findings,
         cut: one(bench.options, cut)?,
         large: one(&there, counters)?,
     })

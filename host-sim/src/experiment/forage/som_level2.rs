@@ -11,13 +11,14 @@ use cla_core::forager::pioneer::{self, Brain, Percept};
 use cla_core::num::Rng;
 
 use super::ForageOptions;
+use super::level2_schemas::{Finding, findings};
 use super::life::{Mind, live};
 use super::trial::{Captures, fresh};
 use crate::options::Failure;
 use crate::world::config::AfterCapture;
 
-/// The level: 7 primitive items and 249 synthetic ones, 24 × 24 nodes for each of 6 actions.
-pub type Level = SomLevel<1, 7, 8, 256, 24, 24, 6, 4096, 16_384>;
+/// The level: 7 primitive items and 377 synthetic ones, 24 × 24 nodes for each of 6 actions.
+pub type Level = SomLevel<1, 7, 12, 384, 24, 24, 6, 4096, 16_384>;
 
 /// A forager of two levels.
 #[derive(Clone, Debug)]
@@ -117,13 +118,38 @@ impl Mind for TwoLevels {
     }
 }
 
-/// A forager with a whole childhood: `options.actions` with level 1 alone, then as many with both.
+/// Stack for what handles a level by value, in bytes; a level takes some 6 MB.
+const STACK: usize = 64 << 20;
+
+/// Runs `job` on a thread whose stack has room for a level or two.
+fn with_room<T: Send>(job: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Failure> {
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK);
+        match thread.spawn_scoped(scope, job)?.join() {
+            Ok(result) => result,
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+    })
+}
+
+/// A forager with a whole childhood: `options.actions` with level 1 alone, then as many with both,
+/// of which `greedy_share` are chosen by value.
 ///
 /// # Errors
 /// [`Failure`] when a world cannot be built or a configuration cannot work.
 pub fn trained(
     options: &ForageOptions,
     config: SomLevelConfig,
+    greedy_share: f32,
+    seed: u64,
+) -> Result<TwoLevels, Failure> {
+    with_room(|| childhood(options, config, greedy_share, seed))
+}
+
+fn childhood(
+    options: &ForageOptions,
+    config: SomLevelConfig,
+    greedy_share: f32,
     seed: u64,
 ) -> Result<TwoLevels, Failure> {
     let mut brain = Box::new(pioneer::brain());
@@ -135,7 +161,7 @@ pub fn trained(
     let mut world = options.world.build(seed)?;
     live(&mut *brain, &mut world, options.actions)?;
     brain.reconfigure(AgentConfig {
-        greedy_share: AgentConfig::FORAGER_LEVEL2.greedy_share,
+        greedy_share,
         training_run: AgentConfig::FORAGER_LEVEL2.training_run,
         ..alone
     })?;
@@ -153,36 +179,64 @@ pub fn captures(
     config: SomLevelConfig,
     seed: u64,
 ) -> Result<Captures, Failure> {
-    // The level is larger than a thread's usual stack, and a value may pass through it on its way
-    // into its box.
-    let life = || tested(options, config, seed);
-    std::thread::scope(|scope| {
-        let thread = std::thread::Builder::new().stack_size(STACK);
-        let thread = thread.spawn_scoped(scope, life);
-        let thread = thread?;
-        thread
-            .join()
-            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-    })
+    with_room(|| Ok(tested(options, config, seed)?.0))
 }
 
-/// Bytes of stack for a life with a [`Level`].
-const STACK: usize = 8 * size_of::<Level>();
+/// As [`captures`], and what that forager knows of the book's level-2 schemas.
+///
+/// # Errors
+/// As [`trained`].
+pub fn examined(
+    options: &ForageOptions,
+    config: SomLevelConfig,
+    seed: u64,
+) -> Result<(Captures, [Finding; 5]), Failure> {
+    with_room(|| tested(options, config, seed))
+}
 
 fn tested(
     options: &ForageOptions,
     config: SomLevelConfig,
     seed: u64,
-) -> Result<Captures, Failure> {
-    let both = trained(options, config, seed)?;
+) -> Result<(Captures, [Finding; 5]), Failure> {
+    let greedy_share = AgentConfig::FORAGER_LEVEL2.greedy_share;
+    let both = childhood(options, config, greedy_share, seed)?;
     let count = |after_capture| -> Result<u32, Failure> {
         let mut copy = both.clone();
         copy.act(Adaptation::Reliabilities)?;
         let mut world = fresh(&options.world, after_capture, seed)?;
         Ok(live(&mut copy, &mut world, options.test_actions)?.captures)
     };
-    Ok(Captures {
+    let captures = Captures {
         replaced: count(AfterCapture::Replaced)?,
         removed: count(AfterCapture::Removed)?,
-    })
+    };
+    Ok((captures, findings(&both)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::captures;
+    use crate::experiment::forage::ForageOptions;
+    use crate::options::WorldOptions;
+    use crate::world::config::PioneerConfig;
+    use cla_core::clasm::{AgentConfig, SomLevelConfig};
+
+    #[test]
+    fn a_forager_with_a_level_from_maps_forages_and_the_same_seed_does_so_again() {
+        let options = ForageOptions {
+            seeds: vec![0],
+            world: WorldOptions {
+                config: PioneerConfig::NOISY,
+                layout: None,
+            },
+            brain: AgentConfig::FORAGER,
+            actions: 3_000,
+            test_actions: 1_000,
+        };
+        let first = captures(&options, SomLevelConfig::FORAGER, 0).unwrap();
+        assert!(first.replaced >= 20, "{first:?}");
+        let again = captures(&options, SomLevelConfig::FORAGER, 0).unwrap();
+        assert_eq!(first, again);
+    }
 }
