@@ -7,6 +7,7 @@
 //! become a belief when that trace comes again: from the past alone.
 
 use super::action::ActionId;
+use super::ordered::{insert, remove};
 use super::schema::SchemaId;
 
 /// The index of a synthetic item.
@@ -240,28 +241,15 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                     item,
                     on: 1.0,
                 };
-                if self.insert(index, new) {
+                if insert(&mut self.beliefs, index, new) {
                     return;
                 }
                 self.drop_weakest();
                 let index = self.beliefs.partition_point(|it| key(it) < (trace, item));
                 // There is room now, unless the capacity is 0.
-                let _ = self.insert(index, new);
+                let _ = insert(&mut self.beliefs, index, new);
             }
         }
-    }
-
-    /// Whether there was room; the table's own method has a panic path, for an index that is too
-    /// large.
-    fn insert(&mut self, index: usize, new: Belief) -> bool {
-        let room = self.beliefs.push(new).is_ok();
-        if room {
-            let mut carried = new;
-            for place in self.beliefs.iter_mut().skip(index) {
-                core::mem::swap(place, &mut carried);
-            }
-        }
-        room
     }
 
     fn drop_weakest(&mut self) {
@@ -271,10 +259,8 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                 least = Some((belief.on, index));
             }
         }
-        if let (Some((_, index)), Some(mut carried)) = (least, self.beliefs.pop()) {
-            for place in self.beliefs.iter_mut().skip(index).rev() {
-                core::mem::swap(place, &mut carried);
-            }
+        if let Some((_, index)) = least {
+            remove(&mut self.beliefs, index);
         }
         self.losses.evicted_beliefs = self.losses.evicted_beliefs.saturating_add(1);
     }

@@ -12,6 +12,7 @@ use super::item::ItemStates;
 use super::knowledge::KnowledgeBase;
 use super::labels::Labels;
 use super::notation::SchemaText;
+use super::ordered::insert;
 use super::schema::{Schema, SchemaId};
 use super::value::{Appraisal, ValueConfig, state_of};
 
@@ -162,7 +163,7 @@ impl<
                     tried: [0.0; ACTIONS],
                     said: true,
                 };
-                if self.rows.insert(index, row).is_err() {
+                if !insert(&mut self.rows, index, row) {
                     self.refused = self.refused.saturating_add(1);
                 }
             }

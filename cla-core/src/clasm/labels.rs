@@ -7,6 +7,7 @@
 
 use super::action::ActionId;
 use super::belief::SyntheticId;
+use super::ordered::{insert, remove};
 
 /// `item` was on `on` times when `action` was done at `place`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -116,12 +117,12 @@ impl<const LABELS: usize> Labels<LABELS> {
                     label.on += on;
                 }
             }
-            Err(index) if self.all.insert(index, new).is_ok() => {}
+            Err(index) if insert(&mut self.all, index, new) => {}
             Err(_) => {
                 self.drop_weakest();
                 let index = self.all.partition_point(|it| key(it) < key(&new));
                 // There is room now.
-                let _ = self.all.insert(index, new);
+                let _ = insert(&mut self.all, index, new);
             }
         }
     }
@@ -139,7 +140,7 @@ impl<const LABELS: usize> Labels<LABELS> {
             }
         }
         if let Some((_, index)) = least {
-            self.all.remove(index);
+            remove(&mut self.all, index);
             self.evicted = self.evicted.saturating_add(1);
         }
     }

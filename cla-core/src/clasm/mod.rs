@@ -24,6 +24,7 @@ mod item;
 mod knowledge;
 mod labels;
 mod notation;
+mod ordered;
 mod planner;
 mod reliability;
 mod reservoir;

@@ -86,6 +86,8 @@ type Tables = KnowledgeBase<1, 128, 1024>;
 type Mind = Accommodation<3, 32, 200, 10>;
 type Plans = Planner<3, 76, 100>;
 type Items3 = ItemSet<3>;
+type Reified = SyntheticItems<3, 16>;
+type Maps = SomLevel<1, 7, 2, 39, 6, 6, 6, 128, 512>;
 type Signed = SignedItems<3>;
 type Hierarchy = Stack<Join<Layer<4, 4, 3>, Delayed<Input<2>, 2, 3>>, 3, 3, 18>;
 type Sliding = Window<Layer<3, 3, 2>, 9, 3>;
@@ -250,14 +252,13 @@ entries! {
     }
     "harvest_node" (brain: &Agent6, node: NodeId, coding: ResultCoding, config: &HarvestConfig) -> bool {
         let [map, ..] = brain.bank().maps();
-        harvest_node::<1, 20, 20, 7, _>(map, node, coding, config).is_some()
+        harvest_node::<1, 20, 20, 7, _, _>(map, node, coding, config).is_some()
     }
 
     "second_level" (
         it: &mut SecondLevel<6, 384, 3072>, tables: &Tables, trace: SyntheticId, action: ActionId,
         schema: SchemaId, values: &ValueConfig, config: &Level2Config,
     ) -> f32 {
-        it.forget(trace, action, 0.5);
         let item = it.most_believed(trace, action).filter(|_| it.items() > 1).unwrap_or(trace);
         let known = it.schema(item).is_some() ^ it.is_overloaded(0.5) ^ it.beliefs().is_empty();
         let evidence = it.tried(trace, action) + it.uses(item) + it.value(item);
@@ -353,9 +354,9 @@ entries! {
         (it.says_as(other) ^ it.covers(other) ^ (it.context().count() > 2)).then(|| it.text())
     }
     "simple_schemas" (
-        it: &mut SimpleSchemas<100>, new: SimpleSchema, before: &Items3, action: ActionId, after: &Items3,
+        it: &mut SimpleSchemas<100>, new: SimpleSchema, action: ActionId, sample: &HindsightSample<3>,
     ) -> Entry {
-        it.record(before, action, after, |schema, _| schema.reliability() > 0.5);
+        it.record(action, sample, |schema, _| schema.reliability() > 0.5);
         let entry = it.enter(new);
         if it.as_slice().len() > 90 {
             it.clear();
@@ -396,5 +397,50 @@ entries! {
         let mut attempt = Attempt::begin(goal, on, limit);
         attempt.count_step();
         attempt.progress(&on)
+    }
+    "train_node" (
+        it: &mut ActionSomBank<20, 20, 7, 6>, action: ActionId, sample: &Sample<1>, config: &TrainingConfig,
+    ) -> Option<(Trained, NodeId)> { it.train_node(action, sample, config) }
+    "redirect" (it: &mut Agent6, action: ActionId) { let _ = it.redirect(action); }
+    "set_surprise" (it: &mut Agent6, surprise: Option<SurpriseConfig>) -> Result<(), ConfigError> {
+        it.set_surprise(surprise)
+    }
+    "doubt" (it: &mut Agent6) { it.doubt() }
+    "survival" (it: &Tables, context: PatternId, action: ActionId) -> f32 { it.survival(context, action) }
+    "hindsight" (
+        it: &mut HindsightSample<3>, items: &Reified, sensed: &ItemStates<3>,
+    ) -> HindsightSample<3> {
+        it.label(sensed);
+        HindsightSample::waiting(it.before(), sensed, items)
+    }
+    "synthetic_items" (
+        it: &mut Reified, schema: &SchemaText<3>, sensed: &ItemStates<3>,
+    ) -> Result<ItemId, NoRoomForItem> {
+        let view = it.view(sensed);
+        let known = it.ids().intersection(&it.ruled_out(&view));
+        let id = it.reify(schema)?;
+        Ok(if known.contains(id) { ItemId(0) } else { id })
+    }
+    "synthetic_trials" (
+        it: &mut Reified, before: &ItemStates<3>, action: ActionId, after: &ItemStates<3>,
+    ) -> ItemStates<3> {
+        it.try_out(before, action, after);
+        it.complete(before, action, after);
+        it.revealed(before, action, after)
+    }
+    "expect" (
+        it: &mut Reified, sample: &HindsightSample<3>, action: ActionId, schemas: &[SimpleSchema],
+        reliable: f32, trials: u16,
+    ) { it.expect(sample, action, schemas, reliable, trials) }
+    "evidence" (schema: &SimpleSchema, sample: &HindsightSample<3>) -> Option<bool> {
+        schema.success(sample).filter(|_| schema.applied(sample))
+    }
+    "som_level" (
+        it: &mut Maps, tables: &mut Tables, before: &ItemStates<1>, action: ActionId, after: &ItemStates<1>,
+        values: &ValueConfig, learning: Learning,
+    ) -> SomLevelLosses {
+        it.learn(tables, before, action, after, values, learning);
+        it.follow(tables);
+        it.losses()
     }
 }
