@@ -1,8 +1,7 @@
 //! Gives the linker the memory of one part: `PART` names a file in `memory/`.
 //!
-//! Without `PART` the part is the nRF52840, whose memory lies where that of the emulated Arm boards
-//! does, and on RISC-V the emulated machine.
-//! A brain that does not fit the part does not link.
+//! Without `PART` the part is the emulated board.
+//! A brain that does not fit the part beside 4 KiB of stack does not link.
 
 use std::path::Path;
 use std::{env, fs};
@@ -19,8 +18,7 @@ fn main() {
     let usual = match (riscv, bench) {
         (true, false) => "riscv-virt",
         (true, true) => "riscv-virt-bench",
-        (false, false) => "nrf52840",
-        (false, true) => "mps2",
+        (false, _) => "mps2",
     };
     let part = env::var("PART").unwrap_or_else(|_| usual.to_owned());
     let from = Path::new("memory").join(format!("{part}.x"));

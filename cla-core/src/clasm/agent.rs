@@ -20,12 +20,23 @@ use super::second_level::{Fallback, SecondLevel};
 use super::surprise::{Surprise, SurpriseConfig};
 use crate::num::Rng;
 
+/// A configuration, once there is one; like an `Option` whose `None` is zero, which an `Option`
+/// of something with a tag inside is not.
+#[repr(u8)]
+#[derive(Clone, Copy, Debug)]
+enum Settings {
+    Absent,
+    Present(AgentConfig),
+}
+
 /// What an agent is doing with its life.
 ///
 /// ```
 /// use cla_core::clasm::{Adaptation, Stage};
 /// assert_ne!(Stage::Training, Stage::Acting(Adaptation::Frozen));
 /// ```
+// With a tag of its own, so that `Unborn` is 0 and a static agent needs no initial data.
+#[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// Not begun: it can neither choose nor learn.
@@ -184,7 +195,7 @@ pub struct Agent<
     /// The item of the schema that has succeeded last, and the state that it led to.
     trace: Option<SyntheticId>,
     arrived: ItemStates<WORDS>,
-    config: Option<AgentConfig>,
+    config: Settings,
     rng: Rng,
     stage: Stage,
     context: ItemStates<WORDS>,
@@ -225,7 +236,7 @@ impl<
             level2: SecondLevel::new(),
             trace: None,
             arrived: ItemStates::UNKNOWN,
-            config: None,
+            config: Settings::Absent,
             rng: Rng::UNSEEDED,
             stage: Stage::Unborn,
             context: ItemStates::UNKNOWN,
@@ -247,7 +258,7 @@ impl<
     /// [`ConfigError`]; the agent is as it was.
     pub fn begin(&mut self, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
         config.check()?;
-        self.config = Some(config);
+        self.config = Settings::Present(config);
         self.rng = Rng::stream(seed, 1);
         self.bank.randomize(&mut self.rng);
         self.knowledge.forget_schemas();
@@ -263,6 +274,13 @@ impl<
         Ok(())
     }
 
+    fn config(&self) -> Result<AgentConfig, AgentError> {
+        match self.config {
+            Settings::Absent => Err(AgentError::NotBegun),
+            Settings::Present(config) => Ok(config),
+        }
+    }
+
     /// Chooses what to do now and remembers `now` as the context of it.
     ///
     /// A choice whose result never came (the action did not complete) is forgotten: nothing is
@@ -271,7 +289,7 @@ impl<
     /// # Errors
     /// [`AgentError::NotBegun`].
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
-        let config = self.config.ok_or(AgentError::NotBegun)?;
+        let config = self.config()?;
         let explore = match self.stage {
             Stage::Training => self.explores(&config),
             Stage::Acting(_) | Stage::Unborn => false,
@@ -314,11 +332,8 @@ impl<
     /// # Errors
     /// [`AgentError::NotBegun`] or [`AgentError::NothingChosen`].
     pub fn learn(&mut self, now: &ItemStates<WORDS>) -> Result<Lesson, AgentError> {
-        let action = match (self.config.is_some(), self.chosen.take()) {
-            (false, _) => return Err(AgentError::NotBegun),
-            (true, None) => return Err(AgentError::NothingChosen),
-            (true, Some(action)) => action,
-        };
+        self.config()?;
+        let action = self.chosen.take().ok_or(AgentError::NothingChosen)?;
         let before = self.context;
         let lesson = self.observe(&before, action, now)?;
         self.feel(lesson.reward > 0.0);
@@ -340,7 +355,7 @@ impl<
         action: ActionId,
         after: &ItemStates<WORDS>,
     ) -> Result<Lesson, AgentError> {
-        let config = self.config.ok_or(AgentError::NotBegun)?;
+        let config = self.config()?;
         if usize::from(action.0) >= ACTIONS {
             return Err(AgentError::NoSuchAction(action));
         }
@@ -391,7 +406,7 @@ impl<
     ///
     /// Happens by itself every `harvest_every` learned actions; does nothing before birth.
     pub fn harvest(&mut self) {
-        let Some(config) = self.config else { return };
+        let Ok(config) = self.config() else { return };
         self.knowledge
             .harvest(self.bank.maps(), config.coding, &config.harvest);
         if config.rule == ChoiceRule::Lexicographic {
@@ -410,7 +425,7 @@ impl<
     /// # Errors
     /// [`AgentError::NotBegun`].
     pub fn act(&mut self, adaptation: Adaptation) -> Result<(), AgentError> {
-        let config = self.config.ok_or(AgentError::NotBegun)?;
+        let config = self.config()?;
         if self.stage == Stage::Training {
             self.harvest();
         }
@@ -438,7 +453,7 @@ impl<
     /// [`ConfigError`]; the agent is as it was.
     pub fn reconfigure(&mut self, config: AgentConfig) -> Result<(), ConfigError> {
         config.check()?;
-        self.config = Some(config);
+        self.config = Settings::Present(config);
         Ok(())
     }
 
@@ -476,10 +491,8 @@ impl<
     /// # Errors
     /// [`ConfigError::Surprise`]; nothing has changed.
     pub fn set_surprise(&mut self, surprise: Option<SurpriseConfig>) -> Result<(), ConfigError> {
-        if let Some(config) = self.config {
-            let config = AgentConfig { surprise, ..config };
-            config.check()?;
-            self.config = Some(config);
+        if let Ok(config) = self.config() {
+            self.reconfigure(AgentConfig { surprise, ..config })?;
         }
         Ok(())
     }
@@ -601,12 +614,12 @@ impl<
     /// Alarms sound only where something can be learned from them.
     fn suspects(&self) -> Option<SurpriseConfig> {
         let relearns = self.stage == Stage::Acting(Adaptation::Relearning);
-        self.config.filter(|_| relearns)?.surprise
+        self.config().ok()?.surprise.filter(|_| relearns)
     }
 
     /// Doubts what it knows after an alarm, and weighs the evidence while it doubts.
     fn feel(&mut self, rewarded: bool) {
-        let (Some(config), Some(surprise)) = (self.config, self.suspects()) else {
+        let (Ok(config), Some(surprise)) = (self.config(), self.suspects()) else {
             return;
         };
         let doubted = self.surprise.doubts();

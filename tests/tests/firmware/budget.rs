@@ -167,6 +167,12 @@ fn bytes_of_ram_and_stack_are_those_of_the_budget() {
                 printed.iter().map(cell).collect(),
             ));
         }
+        for target in Target::ALL {
+            let program = program(target, features).build();
+            let program = program.unwrap_or_else(|error| panic!("{error}"));
+            let data = section_bytes(&program, ".data").expect("a program");
+            assert_eq!(data, 0, "{profile}: the brain would lie in flash as well");
+        }
     }
     hold("ram", HEAD, &rows, Tolerance::None);
 }

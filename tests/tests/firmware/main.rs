@@ -201,20 +201,21 @@ fn a_brain_that_does_not_fit_its_part_does_not_link() {
         match build.build() {
             Ok(_) => true,
             Err(error) => {
-                assert!(
-                    error.to_string().contains("will not fit in region 'RAM'"),
-                    "{error}"
-                );
+                let error = error.to_string();
+                let too_large = error.contains("will not fit in region 'RAM'")
+                    || error.contains("leave the stack less than 4 KiB");
+                assert!(too_large, "{error}");
                 false
             }
         }
     };
     // The RP2040 has two Cortex-M0+.
     assert!(fits(Target::M0, "rp2040", ""));
-    for part in ["nrf52840", "rp2350", "stm32h743"] {
+    for part in ["rp2350", "stm32h743"] {
         assert!(fits(Target::M4f, part, ""), "{part}");
     }
-    assert!(fits(Target::M4f, "stm32f405", "small"));
-    let all_of_it = fits(Target::M4f, "stm32f405", "");
-    assert!(!all_of_it, "206 KB do not fit into 128 KiB");
+    for part in ["nrf52840", "stm32f405"] {
+        assert!(fits(Target::M4f, part, "small"), "{part}");
+        assert!(!fits(Target::M4f, part, ""), "{part} has no room for it");
+    }
 }
