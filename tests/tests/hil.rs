@@ -26,9 +26,9 @@ fn frame(number: u32, message: Order) -> Vec<u8> {
 #[test]
 fn the_firmware_chooses_what_the_host_chooses_and_ends_up_knowing_the_same() {
     let life = hil::run(Target::M4f, &controller(), 3, 600, 200).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!((life.choices, life.same), (800, 800));
+    assert_eq!((life.choices, life.same), (1_400, 1_400));
     assert!(life.same_knowledge);
-    assert!(life.round_trips > 1_600, "{life:?}");
+    assert!(life.round_trips > 2_800, "{life:?}");
 }
 
 #[test]

@@ -39,13 +39,13 @@
 ///         maps: 6 x 6,
 ///         patterns: 32,
 ///         schemas: 64,
-///         ram: 8_000,
+///         ram: 9_000,
 ///     }
 /// }
 /// use cla_core::clasm::AgentConfig;
 /// let mut brain = moth::brain();
 /// moth::be_born(&mut brain, AgentConfig::FORAGER, 1)?;
-/// assert!(moth::RAM <= 8_000);
+/// assert!(moth::RAM <= 9_000);
 /// assert_eq!(moth::VOCABULARY.items[2], "at_lamp");
 /// # Ok::<(), cla_core::clasm::ConfigError>(())
 /// ```

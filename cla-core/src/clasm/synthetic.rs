@@ -299,13 +299,6 @@ impl<const WORDS: usize, const ITEMS: usize> SyntheticItems<WORDS, ITEMS> {
         }
     }
 
-    /// Forgets all values; the items stay.
-    pub fn forget(&mut self) {
-        for item in &mut self.items {
-            item.last = None;
-        }
-    }
-
     fn numbered(&self) -> impl Iterator<Item = (ItemId, &SyntheticItem<WORDS>)> {
         (self.first..).map(ItemId).zip(&self.items)
     }
