@@ -586,7 +586,7 @@ impl<
                 self.knowledge
                     .schemas()
                     .get(usize::from(schema.0))?
-                    .synthetic
+                    .synthetic()
             } else {
                 self.level2.reify(&mut self.knowledge, schema)
             }

@@ -358,7 +358,7 @@ fn items_follow_their_schemas_through_harvests() {
         let level = agent.second_level();
         let schemas = agent.knowledge().schemas();
         for (index, schema) in schemas.iter().enumerate() {
-            if let Some(item) = schema.synthetic {
+            if let Some(item) = schema.synthetic() {
                 assert_eq!(level.schema(item).map(|id| id.0), Some(index as u16));
             }
         }

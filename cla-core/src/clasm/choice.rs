@@ -1,6 +1,7 @@
 //! The choice of an action from the schemas that apply now (book, 6.1.1, 6.2.3).
 
 use super::action::ActionId;
+use super::applicable::Others;
 use super::item::ItemStates;
 use super::knowledge::KnowledgeBase;
 use super::schema::SchemaId;
@@ -108,20 +109,24 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             }
         }
         let mut best = best?;
-        best.schema = self.most_reliable_applicable(best.action, config);
+        best.schema = self.most_reliable_applicable(state, best.action, config);
         Some(best)
     }
 
-    /// Of the schemas that held at the last look, the most reliable for an action.
+    /// Of the schemas that apply in `state`, the most reliable for an action; of equals the first.
     pub(super) fn most_reliable_applicable(
         &self,
+        state: &ItemStates<WORDS>,
         action: ActionId,
         config: &ValueConfig,
     ) -> Option<SchemaId> {
         let mut best: Option<(f32, SchemaId)> = None;
-        for (index, schema) in self.schemas.iter().enumerate() {
-            let context = self.patterns.get(usize::from(schema.context.0));
-            if schema.action == action && context.is_some_and(|pattern| pattern.holds) {
+        let mut others = Others::none();
+        let mut applicable = self.applicable(state, &mut others);
+        while let Some(index) = applicable.next(self) {
+            if let Some(schema) = self.schemas.get(index)
+                && schema.action == action
+            {
                 let reliability = schema.reliability.value(config.estimate);
                 if best.is_none_or(|(other, _)| reliability > other) {
                     best = Some((reliability, SchemaId(index as u16)));

@@ -7,6 +7,7 @@
 //! p = (on + κ · p of the step below) / (tried + κ).
 
 use super::action::ActionId;
+use super::applicable::Others;
 use super::belief::SyntheticId;
 use super::item::ItemStates;
 use super::knowledge::KnowledgeBase;
@@ -191,12 +192,12 @@ impl<
         state: &ItemStates<WORDS>,
         values: &ValueConfig,
     ) -> [Appraisal; ACTIONS] {
-        knowledge.look_at(state);
         let mut appraisals = [Appraisal::default(); ACTIONS];
-        for schema in &knowledge.schemas {
-            let context = knowledge.patterns.get(usize::from(schema.context.0));
-            if let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0))
-                && context.is_some_and(|context| context.holds)
+        let mut others = Others::none();
+        let mut applicable = knowledge.applicable(state, &mut others);
+        while let Some(index) = applicable.next(knowledge) {
+            if let Some(schema) = knowledge.schemas.get(index)
+                && let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0))
             {
                 let p = schema.reliability.value(values.estimate);
                 appraisal.value += p * self.worth_of_schema(knowledge, schema, values);
@@ -222,13 +223,10 @@ impl<
         let Some(result) = knowledge.patterns.get(usize::from(schema.result.0)) else {
             return 0.0;
         };
-        let general = schema.synthetic.and_then(|item| self.place(item, None));
+        let general = schema.synthetic().and_then(|item| self.place(item, None));
         let then = general.and_then(|place| self.row(place));
-        let mut value = values.discount * then.map_or(result.value, |row| row.value);
-        for item in result.items.positive().iter() {
-            value += knowledge.inherent_value(item);
-        }
-        value
+        let then = then.map_or(result.value, |row| row.value);
+        knowledge.with_inherent(values.discount * then, &result.items)
     }
 
     /// What it is worth that `item`'s schema succeeds right after `trace`'s.
@@ -243,13 +241,10 @@ impl<
             .place(item, Some(trace))
             .or_else(|| self.place(item, None));
         let then = place.and_then(|place| self.row(place));
-        let mut value = values.discount * then.map_or(0.0, |row| row.value);
-        if let Some(item) = self.item(item) {
-            for item in item.text.result.positive().iter() {
-                value += knowledge.inherent_value(item);
-            }
-        }
-        value
+        let value = values.discount * then.map_or(0.0, |row| row.value);
+        self.item(item).map_or(value, |item| {
+            knowledge.with_inherent(value, &item.text.result)
+        })
     }
 
     /// What each action can be expected to bring where `host` has succeeded after `trace`.

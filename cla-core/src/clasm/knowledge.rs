@@ -5,14 +5,14 @@
 
 use super::action::ActionId;
 use super::action_som::ActionSom;
+use super::applicable::Others;
 use super::harvest::{HarvestConfig, HarvestedNode, harvest_node};
-use super::item::ItemStates;
+use super::item::{ItemSet, ItemStates};
 use super::notation::SchemaText;
 use super::reliability::{Estimate, Reliability};
 use super::sample::ResultCoding;
-use super::schema::{PatternId, Schema, SchemaId};
+use super::schema::{NONE, PatternId, Schema, SchemaId};
 use super::signed_items::SignedItems;
-use super::surprise::Doubt;
 use crate::som::Prototypes;
 
 /// A conjunction that stands in schemas, with what being there is worth.
@@ -21,6 +21,8 @@ pub(super) struct Pattern<const WORDS: usize> {
     pub(super) items: SignedItems<WORDS>,
     /// Expected discounted value of acting well from here (see `value`).
     pub(super) value: f32,
+    /// The first schema of which it is the context (see `applicable`).
+    pub(super) first: u16,
     /// Whether it held in the state that was looked at last.
     pub(super) holds: bool,
 }
@@ -83,6 +85,8 @@ pub struct KnowledgeBase<const WORDS: usize, const PATTERNS: usize, const SCHEMA
     pub(super) patterns: heapless::Vec<Pattern<WORDS>, PATTERNS, u16>,
     pub(super) schemas: heapless::Vec<Schema, SCHEMAS, u16>,
     pub(super) inherent: [[f32; 32]; WORDS],
+    /// The items whose inherent value is not 0.
+    pub(super) valued: ItemSet<WORDS>,
     pub(super) deferred: [[f32; 32]; WORDS],
     /// The pattern whose value is computed next.
     pub(super) next_value: u16,
@@ -134,6 +138,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             patterns: heapless::Vec::new(),
             schemas: heapless::Vec::new(),
             inherent: [[0.0; 32]; WORDS],
+            valued: ItemSet::EMPTY,
             deferred: [[0.0; 32]; WORDS],
             next_value: 0,
             losses: Losses {
@@ -187,6 +192,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         self.patterns.clear();
         self.deferred = [[0.0; 32]; WORDS];
         self.next_value = 0;
+        self.link();
     }
 
     /// Stores a schema with a record of trials, or adds support to the one that says the same.
@@ -212,6 +218,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         );
         // A refusal or an eviction may leave conjunctions that no schema uses.
         self.drop_unused_patterns();
+        self.link();
         let id = found?;
         if let Some(schema) = self.schemas.get_mut(usize::from(id.0)) {
             schema.reliability = Reliability::from_counts(successes, activations);
@@ -243,6 +250,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             self.support_all(maps, coding, config, WhenFull::Evict);
         }
         self.start_new_records();
+        self.link();
     }
 
     /// Corrects the reliability of every applicable schema of an action that was completed.
@@ -278,31 +286,32 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         after: &ItemStates<WORDS>,
         mut found: impl FnMut(&mut Schema, bool),
     ) -> Outcome {
-        self.look_at(before);
         let mut outcome = Outcome::default();
         let mut most = 0;
-        let Self {
-            patterns, schemas, ..
-        } = self;
-        for (index, schema) in schemas.iter_mut().enumerate() {
-            let held = |id: PatternId| patterns.get(usize::from(id.0));
+        let mut others = Others::none();
+        let mut applicable = self.applicable(before, &mut others);
+        while let Some(index) = applicable.next(self) {
+            let Some(schema) = self.schemas.get_mut(index) else {
+                continue;
+            };
             if schema.action != action {
                 continue;
             }
+            let held = |id: PatternId| self.patterns.get(usize::from(id.0));
             let (Some(context), Some(result)) = (held(schema.context), held(schema.result)) else {
                 continue;
             };
-            if !context.holds {
-                continue;
-            }
             let Some(success) = result.items.truth(after) else {
                 continue;
             };
             found(schema, success);
             outcome.activated = outcome.activated.saturating_add(1);
             outcome.succeeded = outcome.succeeded.saturating_add(u16::from(success));
+            if !success {
+                continue;
+            }
             let says = context.items.len() + result.items.len();
-            if success && (outcome.schema.is_none() || says > most) {
+            if outcome.schema.is_none() || says > most {
                 most = says;
                 outcome.schema = Some(SchemaId(index as u16));
             }
@@ -313,7 +322,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     /// Notes for every conjunction whether it holds in `state`.
     pub(super) fn look_at(&mut self, state: &ItemStates<WORDS>) {
         for pattern in &mut self.patterns {
-            pattern.holds = pattern.items.truth(state) == Some(true);
+            pattern.holds = pattern.items.holds_in(state);
         }
     }
 
@@ -393,16 +402,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             schema.support = schema.support.saturating_add(wins);
             return Ok(SchemaId(index as u16));
         }
-        let reliability = Reliability::default();
-        let new = Schema {
-            context,
-            action,
-            result,
-            support: wins,
-            synthetic: None,
-            reliability,
-            doubt: Doubt::default(),
-        };
+        let new = Schema::new(context, action, result, wins);
         match self.schemas.push(new) {
             Ok(()) => Ok(SchemaId(self.schemas.len() as u16 - 1)),
             Err(new) if when_full == WhenFull::Evict => self.evict_for(new),
@@ -445,6 +445,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         let new = Pattern {
             items: *items,
             value: 0.0,
+            first: NONE,
             holds: false,
         };
         match self.patterns.push(new) {

@@ -9,6 +9,7 @@ mod accommodation;
 mod action;
 mod action_som;
 mod agent;
+mod applicable;
 mod base_rate;
 mod belief;
 mod brain;

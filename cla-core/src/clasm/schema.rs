@@ -40,10 +40,49 @@ pub struct Schema {
     pub result: PatternId,
     /// How often nodes of the last harvest that say this had won; 0 when none says it any more.
     pub support: u16,
-    /// The synthetic item that stands for it at level 2, if it has one.
-    pub synthetic: Option<SyntheticId>,
+    /// The synthetic item that stands for it at level 2, or [`NONE`].
+    item: u16,
+    /// The next schema of the same context, or [`NONE`] (see `applicable`).
+    pub(super) next: u16,
     /// Its trials.
     pub reliability: Reliability,
     /// What it keeps while an agent doubts what it knows.
     pub doubt: Doubt,
+}
+
+/// No item, or no schema.
+pub(super) const NONE: u16 = u16::MAX;
+
+impl Schema {
+    /// A schema without trials of its own, said by nodes that have won `support` times.
+    pub(super) fn new(
+        context: PatternId,
+        action: ActionId,
+        result: PatternId,
+        support: u16,
+    ) -> Self {
+        Self {
+            context,
+            action,
+            result,
+            support,
+            item: NONE,
+            next: NONE,
+            reliability: Reliability::default(),
+            doubt: Doubt::default(),
+        }
+    }
+
+    /// The synthetic item that stands for it at level 2, if it has one.
+    #[must_use]
+    pub const fn synthetic(&self) -> Option<SyntheticId> {
+        match self.item {
+            NONE => None,
+            item => Some(SyntheticId(item)),
+        }
+    }
+
+    pub(super) fn set_synthetic(&mut self, item: Option<SyntheticId>) {
+        self.item = item.map_or(NONE, |item| item.0);
+    }
 }

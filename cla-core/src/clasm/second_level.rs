@@ -7,6 +7,7 @@
 //! and half what has really followed it.
 
 use super::action::ActionId;
+use super::applicable::Others;
 use super::belief::{Belief, BeliefLosses, BeliefTable, SyntheticId, uses};
 use super::choice::Preference;
 use super::item::ItemStates;
@@ -205,7 +206,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         id: SchemaId,
     ) -> Option<SyntheticId> {
         let schema = *knowledge.schemas.get(usize::from(id.0))?;
-        if let Some(item) = schema.synthetic
+        if let Some(item) = schema.synthetic()
             && self
                 .table
                 .row(item)
@@ -218,10 +219,10 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         let item = self.table.add(id, schema.action, value)?;
         for (index, schema) in knowledge.schemas.iter_mut().enumerate() {
             if index == usize::from(id.0) {
-                schema.synthetic = Some(item);
-            } else if schema.synthetic == Some(item) {
+                schema.set_synthetic(Some(item));
+            } else if schema.synthetic() == Some(item) {
                 // The item was evicted for this one.
-                schema.synthetic = None;
+                schema.set_synthetic(None);
             }
         }
         Some(item)
@@ -290,11 +291,16 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             return;
         };
         let surprise = reward + discount * after.experienced - before.experienced;
+        let fading = discount * config.lambda;
         for (index, row) in self.table.rows.iter_mut().enumerate() {
-            row.eligibility *= discount * config.lambda;
             if index == usize::from(from.0) {
                 row.eligibility = 1.0;
                 row.visits += 1.0;
+            } else if row.eligibility.to_bits() == 0 {
+                // Most feel nothing, and a zero is told faster by its bits.
+                continue;
+            } else {
+                row.eligibility *= fading;
             }
             if row.eligibility < FELT {
                 row.eligibility = 0.0;
@@ -320,7 +326,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             let place = knowledge
                 .schemas
                 .iter()
-                .position(|schema| schema.synthetic == Some(id));
+                .position(|schema| schema.synthetic() == Some(id));
             match (place, self.table.rows.get_mut(index)) {
                 (Some(place), Some(row)) => row.schema = Some(SchemaId(place as u16)),
                 (None, Some(row)) if row.schema.is_some() => self.table.free(id),
@@ -342,12 +348,12 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         values: &ValueConfig,
         config: &Level2Config,
     ) -> [Appraisal; ACTIONS] {
-        knowledge.look_at(state);
         let mut appraisals = [Appraisal::default(); ACTIONS];
-        for schema in &knowledge.schemas {
-            let context = knowledge.patterns.get(usize::from(schema.context.0));
-            if let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0))
-                && context.is_some_and(|context| context.holds)
+        let mut others = Others::none();
+        let mut applicable = knowledge.applicable(state, &mut others);
+        while let Some(index) = applicable.next(knowledge) {
+            if let Some(schema) = knowledge.schemas.get(index)
+                && let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0))
             {
                 let p = schema.reliability.value(values.estimate);
                 appraisal.value += p * self.worth(knowledge, schema, values, config);
@@ -383,7 +389,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             else {
                 continue;
             };
-            if schema.synthetic != Some(belief.item) {
+            if schema.synthetic() != Some(belief.item) {
                 continue;
             }
             let p = belief.on / (tried + config.prior);
@@ -405,15 +411,11 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         let Some(result) = knowledge.patterns.get(usize::from(schema.result.0)) else {
             return 0.0;
         };
-        let row = schema.synthetic.and_then(|item| self.table.row(item));
+        let row = schema.synthetic().and_then(|item| self.table.row(item));
         let then = row.map_or(result.value, |row| {
             row.value + config.experience * (row.experienced - row.value)
         });
-        let mut value = values.discount * then;
-        for item in result.items.positive().iter() {
-            value += knowledge.inherent_value(item);
-        }
-        value
+        knowledge.with_inherent(values.discount * then, &result.items)
     }
 
     /// The best action in `state` after `trace`, or `None` when none promises anything.
@@ -440,7 +442,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         let believed = self.most_believed(trace, best.action);
         best.schema = believed
             .and_then(|item| self.schema(item))
-            .or_else(|| knowledge.most_reliable_applicable(best.action, values));
+            .or_else(|| knowledge.most_reliable_applicable(state, best.action, values));
         Some(best)
     }
 
@@ -532,7 +534,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             .table
             .after(trace)
             .iter()
-            .find(|belief| Some(belief.item) == schema.synthetic);
+            .find(|belief| Some(belief.item) == schema.synthetic());
         let tried = self.tried(trace, schema.action);
         let on = on.map_or(0.0, |belief| belief.on);
         (on + config.prior * reliability) / (tried + config.prior)

@@ -99,6 +99,13 @@ impl<const WORDS: usize> SignedItems<WORDS> {
         }
     }
 
+    /// Whether the conjunction is known to hold: [`truth`](Self::truth) is `Some(true)`.
+    #[inline]
+    pub(super) fn holds_in(&self, now: &ItemStates<WORDS>) -> bool {
+        // No item is on and off at once, so what is on is not off.
+        self.positive.is_subset(now.on()) && self.negative.is_subset(now.off())
+    }
+
     /// Whether this conjunction follows from the other: every signed item stands in it.
     #[must_use]
     pub fn follows_from(&self, other: &Self) -> bool {

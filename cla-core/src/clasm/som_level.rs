@@ -335,7 +335,7 @@ impl<
         let believed = self.most_believed(host, here.trace, best.action);
         best.schema = believed
             .and_then(|item| self.implied.item(item)?.schema)
-            .or_else(|| knowledge.most_reliable_applicable(best.action, values));
+            .or_else(|| knowledge.most_reliable_applicable(now, best.action, values));
         Some(best)
     }
 
@@ -410,7 +410,7 @@ impl<
             let place = knowledge
                 .schemas
                 .iter()
-                .position(|schema| schema.synthetic == id);
+                .position(|schema| schema.synthetic() == id);
             item.schema = place.map(|place| SchemaId(place as u16));
         }
     }
@@ -500,7 +500,7 @@ impl<
         id: SchemaId,
         learning: Learning,
     ) -> Option<SyntheticId> {
-        let known = knowledge.schemas.get(usize::from(id.0))?.synthetic;
+        let known = knowledge.schemas.get(usize::from(id.0))?.synthetic();
         if let Some(item) = known
             && usize::from(item.0) < self.implied.items.len()
         {
@@ -523,7 +523,10 @@ impl<
             }
         };
         self.implied.items.get_mut(usize::from(item.0))?.schema = Some(id);
-        knowledge.schemas.get_mut(usize::from(id.0))?.synthetic = Some(item);
+        knowledge
+            .schemas
+            .get_mut(usize::from(id.0))?
+            .set_synthetic(Some(item));
         Some(item)
     }
 

@@ -8,6 +8,7 @@
 
 use core::fmt;
 
+use super::applicable::Others;
 use super::item::{ItemId, ItemStates};
 use super::knowledge::KnowledgeBase;
 use super::reliability::Estimate;
@@ -111,7 +112,32 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             .as_flattened_mut()
             .get_mut(usize::from(item.0));
         *slot.ok_or(InherentValueError::NoSuchItem)? = value;
+        if value > 0.0 {
+            // It has a slot, so it has a bit.
+            let _ = self.valued.insert(item);
+        } else {
+            self.valued.remove(item);
+        }
         Ok(())
+    }
+
+    /// `value` and the inherent values of the positive items.
+    #[inline]
+    pub(super) fn with_inherent(&self, value: f32, items: &SignedItems<WORDS>) -> f32 {
+        if items.positive().is_disjoint(&self.valued) {
+            value
+        } else {
+            self.add_inherent(value, items)
+        }
+    }
+
+    #[inline(never)]
+    fn add_inherent(&self, value: f32, items: &SignedItems<WORDS>) -> f32 {
+        let mut total = value;
+        for item in items.positive().intersection(&self.valued).iter() {
+            total += self.inherent_value(item);
+        }
+        total
     }
 
     /// What being on is worth for an item, for its own sake; 0 for an item outside the capacity.
@@ -158,7 +184,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     #[must_use]
     pub fn reward(&self, state: &ItemStates<WORDS>) -> f32 {
         let mut total = 0.0;
-        for item in state.on().iter() {
+        for item in state.on().intersection(&self.valued).iter() {
             total += self.inherent_value(item);
         }
         total
@@ -295,31 +321,29 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         state: &ItemStates<WORDS>,
         config: &ValueConfig,
     ) -> [Appraisal; ACTIONS] {
-        self.look_at(state);
         let mut appraisals = [Appraisal::default(); ACTIONS];
         let mut bonuses = [0.0; ACTIONS];
-        for schema in &self.schemas {
+        let mut others = Others::none();
+        let mut applicable = self.applicable(state, &mut others);
+        while let Some(index) = applicable.next(self) {
+            let Some(schema) = self.schemas.get(index) else {
+                continue;
+            };
             let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0)) else {
                 continue;
             };
-            let context = self.patterns.get(usize::from(schema.context.0));
-            let result = self.patterns.get(usize::from(schema.result.0));
-            if let (Some(context), Some(result)) = (context, result)
-                && context.holds
+            let Some(result) = self.patterns.get(usize::from(schema.result.0)) else {
+                continue;
+            };
+            let p = schema.reliability.value(config.estimate);
+            let value = self.with_inherent(config.discount * result.value, &result.items);
+            appraisal.value += p * value;
+            appraisal.reliability += p;
+            appraisal.applicable = true;
+            if let Some(most) = bonuses.get_mut(usize::from(schema.action.0))
+                && schema.doubt.bonus > *most
             {
-                let p = schema.reliability.value(config.estimate);
-                let mut value = config.discount * result.value;
-                for item in result.items.positive().iter() {
-                    value += self.inherent_value(item);
-                }
-                appraisal.value += p * value;
-                appraisal.reliability += p;
-                appraisal.applicable = true;
-                if let Some(most) = bonuses.get_mut(usize::from(schema.action.0))
-                    && schema.doubt.bonus > *most
-                {
-                    *most = schema.doubt.bonus;
-                }
+                *most = schema.doubt.bonus;
             }
         }
         for (appraisal, bonus) in appraisals.iter_mut().zip(bonuses) {

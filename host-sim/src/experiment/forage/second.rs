@@ -149,7 +149,7 @@ fn hindsight_reliability(brain: &Brain) -> f64 {
     let (second, knowledge) = (brain.second_level(), brain.knowledge());
     let (mut sum, mut schemas) = (0.0, 0_u32);
     for schema in knowledge.schemas() {
-        let Some(trace) = schema.synthetic.filter(|&item| second.uses(item) > 0.0) else {
+        let Some(trace) = schema.synthetic().filter(|&item| second.uses(item) > 0.0) else {
             continue;
         };
         let mut reliability = 1.0_f64;
