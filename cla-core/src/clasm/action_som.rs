@@ -7,7 +7,7 @@
 use super::action::ActionId;
 use super::sample::Sample;
 use crate::num::{Neighbourhood, Rng, Schedule};
-use crate::som::{BinarySom, Grid, NodeId, Prototypes, best_match};
+use crate::som::{BestMatch, BinarySom, Grid, NodeId, Prototypes, best_match};
 
 /// How Action SOMs are trained.
 ///
@@ -208,7 +208,8 @@ impl<
         self.samples
     }
 
-    /// A frame of its own: a caller that inlines it has its stack on top of everything else's.
+    // Search, update and recruitment have frames of their own: inlined, each would lie on top of
+    // everything below the others.
     #[inline(never)]
     fn train<const WORDS: usize>(
         &mut self,
@@ -216,12 +217,7 @@ impl<
         config: &TrainingConfig,
         scratch: &mut MapScratch<WIDTH, HEIGHT>,
     ) -> (Trained, NodeId) {
-        let MapScratch { dots, distances } = scratch;
-        self.context
-            .squared_distances(&sample.context(), dots, distances);
-        self.result
-            .add_squared_distances(&sample.result(), config.result_weight, dots, distances);
-        let best = best_match(distances);
+        let best = self.search(sample, config.result_weight, scratch);
         let samples = self.samples;
         self.samples = samples.saturating_add(1);
         let novel = |it: &Recruitment| samples >= it.after && best.squared_distance > it.vigilance;
@@ -236,22 +232,50 @@ impl<
         {
             self.count_win(best.node);
         }
-        // Schedules and cut were validated with the configuration; a bad value moves the winner.
-        let near = Neighbourhood::gaussian(config.sigma.at(samples), config.cut)
-            .unwrap_or(Neighbourhood::winner_only());
-        let alpha = config.alpha.at(samples);
-        let recruited = self.recruited.as_slice();
-        let may_move = |node: NodeId| {
-            node == best.node || !recruited.get(usize::from(node.0)).copied().unwrap_or(false)
-        };
-        self.context
-            .train(&sample.context(), best.node, alpha, &near, may_move);
-        self.result
-            .train(&sample.result(), best.node, alpha, &near, may_move);
+        self.adapt(sample, best.node, config, samples);
         (Trained::Adapted, best.node)
     }
 
+    #[inline(never)]
+    fn search<const WORDS: usize>(
+        &self,
+        sample: &Sample<WORDS>,
+        result_weight: f32,
+        scratch: &mut MapScratch<WIDTH, HEIGHT>,
+    ) -> BestMatch {
+        let MapScratch { dots, distances } = scratch;
+        self.context
+            .squared_distances(&sample.context(), dots, distances);
+        self.result
+            .add_squared_distances(&sample.result(), result_weight, dots, distances);
+        best_match(distances)
+    }
+
+    /// Moves the winner and its neighbours towards the sample, the map's `samples`th.
+    #[inline(never)]
+    fn adapt<const WORDS: usize>(
+        &mut self,
+        sample: &Sample<WORDS>,
+        winner: NodeId,
+        config: &TrainingConfig,
+        samples: u32,
+    ) {
+        let mut near = Neighbourhood::winner_only();
+        // Schedules and cut were validated with the configuration; a bad value moves the winner.
+        let _ = near.widen(config.sigma.at(samples), config.cut);
+        let alpha = config.alpha.at(samples);
+        let recruited = self.recruited.as_slice();
+        let may_move = |node: NodeId| {
+            node == winner || !recruited.get(usize::from(node.0)).copied().unwrap_or(false)
+        };
+        self.context
+            .train(&sample.context(), winner, alpha, &near, may_move);
+        self.result
+            .train(&sample.result(), winner, alpha, &near, may_move);
+    }
+
     /// Gives the sample the node with the fewest wins: a free one, or else a recruited one.
+    #[inline(never)]
     fn recruit<const WORDS: usize>(&mut self, sample: &Sample<WORDS>) -> (Trained, NodeId) {
         let mut least = (true, u16::MAX, 0_usize);
         let nodes = self.recruited.as_slice().iter().zip(self.wins.as_slice());

@@ -16,7 +16,7 @@ use super::item::ItemStates;
 use super::knowledge::{KnowledgeBase, Outcome};
 use super::sample::Sample;
 use super::schema::SchemaId;
-use super::second_level::{Fallback, SecondLevel};
+use super::second_level::{Fallback, Level2Config, SecondLevel};
 use super::surprise::{Surprise, SurpriseConfig};
 use crate::num::Rng;
 
@@ -288,6 +288,9 @@ impl<
     ///
     /// # Errors
     /// [`AgentError::NotBegun`].
+    // A frame of its own, here and below: the steps of a life follow each other, and inlined their
+    // stacks would add up.
+    #[inline(never)]
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
         let config = self.config()?;
         let explore = match self.stage {
@@ -331,8 +334,11 @@ impl<
     ///
     /// # Errors
     /// [`AgentError::NotBegun`] or [`AgentError::NothingChosen`].
+    #[inline(never)]
     pub fn learn(&mut self, now: &ItemStates<WORDS>) -> Result<Lesson, AgentError> {
-        self.config()?;
+        if let Settings::Absent = self.config {
+            return Err(AgentError::NotBegun);
+        }
         let action = self.chosen.take().ok_or(AgentError::NothingChosen)?;
         let before = self.context;
         let lesson = self.observe(&before, action, now)?;
@@ -349,13 +355,26 @@ impl<
     ///
     /// # Errors
     /// [`AgentError::NotBegun`] or [`AgentError::NoSuchAction`].
+    #[inline(never)]
     pub fn observe(
         &mut self,
         before: &ItemStates<WORDS>,
         action: ActionId,
         after: &ItemStates<WORDS>,
     ) -> Result<Lesson, AgentError> {
-        let config = self.config()?;
+        // Only what is needed: a copy of the whole would lie below everything that learns.
+        let Settings::Present(AgentConfig {
+            coding,
+            harvest_every,
+            values,
+            values_per_step,
+            forgetting,
+            level2,
+            ..
+        }) = self.config
+        else {
+            return Err(AgentError::NotBegun);
+        };
         if usize::from(action.0) >= ACTIONS {
             return Err(AgentError::NoSuchAction(action));
         }
@@ -370,34 +389,38 @@ impl<
         lesson.outcome = if frozen {
             self.knowledge.explain(before, action, after)
         } else {
-            self.knowledge
-                .record(before, action, after, config.forgetting)
+            self.knowledge.record(before, action, after, forgetting)
         };
-        self.follow_trace(before, action, after, lesson.outcome.schema, &config);
+        if let Some(level2) = &level2 {
+            let succeeded = lesson.outcome.schema;
+            self.follow_trace(before, action, after, succeeded, level2, values.discount);
+        }
         if frozen {
             return Ok(lesson);
         }
         if self.stage != Stage::Acting(Adaptation::Reliabilities) {
-            let sample = Sample::new(before, after, config.coding, ITEMS as u16);
-            lesson.trained = self.bank.train(action, &sample, &config.training);
+            let sample = Sample::new(before, after, coding, ITEMS as u16);
+            if let Settings::Present(config) = &self.config {
+                lesson.trained = self.bank.train(action, &sample, &config.training);
+            }
             self.since_harvest += 1;
-            if self.since_harvest >= config.harvest_every {
+            if self.since_harvest >= harvest_every {
                 self.harvest();
                 lesson.harvested = true;
             }
         }
         self.knowledge
-            .improve_values::<ACTIONS>(config.values_per_step, &config.values);
-        if let Some(level2) = &config.level2 {
+            .improve_values::<ACTIONS>(values_per_step, &values);
+        if let Some(level2) = &level2 {
             let Self {
                 level2: level,
                 knowledge,
                 ..
             } = self;
             if let Some(trace) = self.trace {
-                level.improve(knowledge, trace, &config.values, level2);
+                level.improve(knowledge, trace, &values, level2);
             }
-            level.improve_values(knowledge, level2.values_per_step, &config.values, level2);
+            level.improve_values(knowledge, level2.values_per_step, &values, level2);
         }
         Ok(lesson)
     }
@@ -406,7 +429,9 @@ impl<
     ///
     /// Happens by itself every `harvest_every` learned actions; does nothing before birth.
     pub fn harvest(&mut self) {
-        let Ok(config) = self.config() else { return };
+        let Settings::Present(config) = &self.config else {
+            return;
+        };
         self.knowledge
             .harvest(self.bank.maps(), config.coding, &config.harvest);
         if config.rule == ChoiceRule::Lexicographic {
@@ -424,18 +449,27 @@ impl<
     ///
     /// # Errors
     /// [`AgentError::NotBegun`].
+    #[inline(never)]
     pub fn act(&mut self, adaptation: Adaptation) -> Result<(), AgentError> {
-        let config = self.config()?;
+        let Settings::Present(AgentConfig {
+            rule,
+            values,
+            level2,
+            ..
+        }) = self.config
+        else {
+            return Err(AgentError::NotBegun);
+        };
         if self.stage == Stage::Training {
             self.harvest();
         }
-        if config.rule == ChoiceRule::ExpectedValue {
-            self.knowledge.settle_values::<ACTIONS>(100, &config.values);
-            if let Some(level2) = &config.level2 {
+        if rule == ChoiceRule::ExpectedValue {
+            self.knowledge.settle_values::<ACTIONS>(100, &values);
+            if let Some(level2) = &level2 {
                 let items = self.level2.table.rows.len() as u16;
                 for _ in 0..30 {
                     self.level2
-                        .improve_values(&mut self.knowledge, items, &config.values, level2);
+                        .improve_values(&mut self.knowledge, items, &values, level2);
                 }
             }
         }
@@ -576,9 +610,9 @@ impl<
         action: ActionId,
         after: &ItemStates<WORDS>,
         succeeded: Option<SchemaId>,
-        config: &AgentConfig,
+        level2: &Level2Config,
+        discount: f32,
     ) {
-        let Some(level2) = &config.level2 else { return };
         let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
         let trace = self.trace_in(before);
         let item = succeeded.and_then(|schema| {
@@ -593,7 +627,6 @@ impl<
         });
         if let (Some(trace), Some(to), false) = (trace, item, frozen) {
             let reward = self.knowledge.reward(after);
-            let discount = config.values.discount;
             self.level2.experience(trace, to, reward, discount, level2);
             self.level2.record(trace, action, item, level2);
         }
@@ -614,19 +647,25 @@ impl<
     /// Alarms sound only where something can be learned from them.
     fn suspects(&self) -> Option<SurpriseConfig> {
         let relearns = self.stage == Stage::Acting(Adaptation::Relearning);
-        self.config().ok()?.surprise.filter(|_| relearns)
+        match self.config {
+            Settings::Present(AgentConfig { surprise, .. }) => surprise.filter(|_| relearns),
+            Settings::Absent => None,
+        }
     }
 
     /// Doubts what it knows after an alarm, and weighs the evidence while it doubts.
+    #[inline(never)]
     fn feel(&mut self, rewarded: bool) {
-        let (Ok(config), Some(surprise)) = (self.config(), self.suspects()) else {
+        let Some(surprise) = self.suspects() else {
             return;
         };
         let doubted = self.surprise.doubts();
         if self.surprise.feel(&surprise, rewarded) {
             self.knowledge.begin_doubt();
         }
-        if self.surprise.weighs() {
+        if self.surprise.weighs()
+            && let Settings::Present(config) = &self.config
+        {
             self.knowledge.weigh::<ACTIONS>(&surprise, &config.values);
             self.level2.doubt(&self.knowledge);
         }

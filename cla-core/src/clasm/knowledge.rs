@@ -279,6 +279,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         self.check(before, action, after, |_, _| {})
     }
 
+    #[inline(never)]
     fn check(
         &mut self,
         before: &ItemStates<WORDS>,

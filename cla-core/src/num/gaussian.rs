@@ -72,20 +72,30 @@ impl<const WIDTH: usize, const HEIGHT: usize> Neighbourhood<WIDTH, HEIGHT> {
     /// # Errors
     /// [`GaussianError`] when `sigma` is negative or not finite or `cut` is outside `[0, 1]`.
     pub fn gaussian(sigma: f32, cut: f32) -> Result<Self, GaussianError> {
+        let mut it = Self::winner_only();
+        it.widen(sigma, cut)?;
+        Ok(it)
+    }
+
+    /// Makes the winner alone a Gaussian, in place: a `Result` that holds the tables costs a copy of
+    /// them.
+    ///
+    /// # Errors
+    /// As [`gaussian`](Self::gaussian); it stays the winner alone.
+    pub(crate) fn widen(&mut self, sigma: f32, cut: f32) -> Result<(), GaussianError> {
         if !sigma.is_finite() || sigma < 0.0 {
             return Err(GaussianError::Sigma);
         }
         if !(0.0..=1.0).contains(&cut) {
             return Err(GaussianError::Cut);
         }
-        let mut it = Self::winner_only();
         let two_sigma_squared = 2.0 * sigma * sigma;
         // Below the square root of the smallest normal number the Gaussian is the winner alone.
         if two_sigma_squared >= f32::MIN_POSITIVE {
-            it.horizontal_radius = fill(&mut it.horizontal, two_sigma_squared, cut);
-            it.vertical_radius = fill(&mut it.vertical, two_sigma_squared, cut);
+            self.horizontal_radius = fill(&mut self.horizontal, two_sigma_squared, cut);
+            self.vertical_radius = fill(&mut self.vertical, two_sigma_squared, cut);
         }
-        Ok(it)
+        Ok(())
     }
 
     /// h for a node `dx` columns and `dy` rows from the winner; 0 outside the map or below the cut.

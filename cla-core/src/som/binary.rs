@@ -369,6 +369,9 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
     }
 
     /// m ← (1 − c)·m + c·x on the known features of one node.
+    ///
+    /// Rare, and in a frame of its own: it shall not deepen the stack of every update.
+    #[inline(never)]
     fn step(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId, c: f32) {
         let index = usize::from(node.0);
         let keep = 1.0 - c;
