@@ -4,6 +4,7 @@
 //! followed twice, so that the other side may ask again; any other is dropped and counted.
 
 use cla_core::clasm::{ActionId, Adaptation, AgentConfig, AgentError};
+use cla_core::som::Prototypes;
 
 use crate::fingerprint::Fingerprint;
 use crate::link::{Answer, Dropped, FRAME, Fault, Numbered, Order, Receiver, encode};
@@ -54,8 +55,9 @@ pub fn serve<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: &mut Forager<W, H, P, S, Y, B>,
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
     wire: &mut impl Wire,
     body: &mut impl SafeStop,
 ) -> End {
@@ -116,10 +118,11 @@ impl Desk {
         const S: usize,
         const Y: usize,
         const B: usize,
+        M: Prototypes<W, H>,
     >(
         &mut self,
         order: Result<Numbered<Order>, Fault>,
-        brain: &mut Forager<W, H, P, S, Y, B>,
+        brain: &mut Forager<W, H, P, S, Y, B, M>,
     ) -> Option<Numbered<Answer>> {
         let dropped = &mut self.dropped;
         let Numbered { number, message } = match order {
@@ -159,9 +162,10 @@ fn follow<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
     order: Order,
-    brain: &mut Forager<W, H, P, S, Y, B>,
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
     dropped: Dropped,
 ) -> Answer {
     let done = |outcome: Result<(), AgentError>| match outcome {
@@ -215,8 +219,9 @@ pub fn knowledge<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: &Forager<W, H, P, S, Y, B>,
+    brain: &Forager<W, H, P, S, Y, B, M>,
 ) -> u64 {
     let mut print = Fingerprint::new();
     replay::add_schemas(&mut print, brain);

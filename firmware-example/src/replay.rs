@@ -8,6 +8,7 @@ use core::fmt;
 
 use cla_core::clasm::{Adaptation, Agent, AgentConfig, AgentError, ConfigError};
 use cla_core::forager::pioneer::{ITEMS, Item};
+use cla_core::som::{BinarySom, Prototypes};
 
 use crate::fingerprint::Fingerprint;
 use crate::trace;
@@ -20,7 +21,8 @@ pub type Forager<
     const SCHEMAS: usize,
     const SYNTHETIC: usize,
     const BELIEFS: usize,
-> = Agent<1, 7, W, H, 6, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>;
+    M = BinarySom<W, H, 7>,
+> = Agent<1, 7, W, H, 6, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS, M>;
 
 /// A moment of a step, for whoever measures what lies between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,8 +85,9 @@ pub fn be_born<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: &mut Forager<W, H, P, S, Y, B>,
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
     config: AgentConfig,
     seed: u64,
 ) -> Result<(), ConfigError> {
@@ -112,8 +115,9 @@ pub fn relive<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: &mut Forager<W, H, P, S, Y, B>,
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
     seed: u64,
     actions: u32,
     mut at: impl FnMut(Moment),
@@ -180,9 +184,10 @@ fn add_weights<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
     print: &mut Fingerprint,
-    brain: &Forager<W, H, P, S, Y, B>,
+    brain: &Forager<W, H, P, S, Y, B, M>,
 ) {
     for map in brain.bank().maps() {
         for node in map.nodes() {
@@ -202,9 +207,10 @@ pub(crate) fn add_schemas<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
     print: &mut Fingerprint,
-    brain: &Forager<W, H, P, S, Y, B>,
+    brain: &Forager<W, H, P, S, Y, B, M>,
 ) {
     let knowledge = brain.knowledge();
     for schema in knowledge.schemas() {
@@ -230,9 +236,10 @@ pub(crate) fn add_beliefs<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
     print: &mut Fingerprint,
-    brain: &Forager<W, H, P, S, Y, B>,
+    brain: &Forager<W, H, P, S, Y, B, M>,
 ) {
     for belief in brain.second_level().beliefs() {
         print.number(belief.trace.0.into());

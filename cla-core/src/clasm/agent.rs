@@ -19,6 +19,7 @@ use super::schema::SchemaId;
 use super::second_level::{Fallback, Level2Config, SecondLevel};
 use super::surprise::{Surprise, SurpriseConfig};
 use crate::num::Rng;
+use crate::som::{BinarySom, Prototypes};
 
 /// A configuration, once there is one; like an `Option` whose `None` is zero, which an `Option`
 /// of something with a tag inside is not.
@@ -166,6 +167,8 @@ impl core::error::Error for AgentError {}
 ///
 /// Items in words and in number, the sides of the maps, actions, the capacities of the knowledge
 /// base and those of the second level, 0 for a brain of one level.
+/// `M` is what a map's weights are stored in: [`BinarySom`] for `f32`, [`ByteSom`](crate::som::ByteSom)
+/// for a byte each.
 ///
 /// ```
 /// use cla_core::clasm::{Agent, AgentConfig, ItemStates};
@@ -188,8 +191,9 @@ pub struct Agent<
     const SCHEMAS: usize,
     const SYNTHETIC: usize = 0,
     const BELIEFS: usize = 0,
+    M = BinarySom<WIDTH, HEIGHT, ITEMS>,
 > {
-    bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS>,
+    bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>,
     knowledge: KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
     level2: SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>,
     /// The item of the schema that has succeeded last, and the state that it led to.
@@ -220,9 +224,29 @@ impl<
     const BELIEFS: usize,
 > Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>
 {
-    /// An unborn agent of all-zero memory.
+    /// An unborn agent of all-zero memory, with maps of `f32` weights.
     #[must_use]
     pub const fn new() -> Self {
+        Self::zeroed()
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const ACTIONS: usize,
+    const PATTERNS: usize,
+    const SCHEMAS: usize,
+    const SYNTHETIC: usize,
+    const BELIEFS: usize,
+    M: Prototypes<WIDTH, HEIGHT>,
+> Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS, M>
+{
+    /// As `new`, for weights of any kind.
+    #[must_use]
+    pub const fn zeroed() -> Self {
         const {
             assert!(ITEMS <= WORDS * 32, "an item needs a bit: 32 for each word");
             assert!(
@@ -231,7 +255,7 @@ impl<
             );
         }
         Self {
-            bank: ActionSomBank::new(),
+            bank: ActionSomBank::zeroed(),
             knowledge: KnowledgeBase::new(),
             level2: SecondLevel::new(),
             trace: None,
@@ -516,7 +540,7 @@ impl<
 
     /// The maps.
     #[must_use]
-    pub const fn bank(&self) -> &ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS> {
+    pub const fn bank(&self) -> &ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M> {
         &self.bank
     }
 
@@ -711,10 +735,12 @@ impl<
     const SCHEMAS: usize,
     const SYNTHETIC: usize,
     const BELIEFS: usize,
-> Default for Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>
+    M: Prototypes<WIDTH, HEIGHT>,
+> Default
+    for Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS, M>
 {
     fn default() -> Self {
-        Self::new()
+        Self::zeroed()
     }
 }
 

@@ -13,6 +13,7 @@ use core::panic::PanicInfo;
 
 use cla_core::clasm::*;
 use cla_core::forager::pioneer::{Action, Brain, Percept, be_born};
+use cla_core::forager::small;
 use cla_core::layer::overload::{
     MatchDistance, OverloadDetector, Response, TotalActivation, Transitions,
 };
@@ -244,6 +245,15 @@ entries! {
     ) -> Result<Lesson, AgentError> { brain.observe(before, action, after) }
     "harvest" (brain: &mut Agent6) { brain.harvest() }
     "act" (brain: &mut Agent6, how: Adaptation) -> Result<(), AgentError> { brain.act(how) }
+    "maps_of_bytes" (
+        brain: &mut small::Brain, config: AgentConfig, seed: u64, now: &Percept, how: Adaptation,
+    ) -> Option<Lesson> {
+        small::be_born(brain, config, seed).ok()?;
+        brain.choose(now).ok()?;
+        let lesson = brain.learn(now).ok()?;
+        brain.act(how).ok()?;
+        Some(lesson)
+    }
 
     "maps" (brain: &Agent6, node: NodeId, item: u16) -> Option<f32> {
         let map = brain.bank().maps().get(usize::from(item))?;

@@ -8,6 +8,7 @@ use std::sync::{Mutex, PoisonError};
 
 use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
 use cla_core::forager::{pioneer, small};
+use cla_core::som::Prototypes;
 use firmware_example::replay::{Echo, Forager, acting_at, relive, second_level_at};
 use firmware_example::trace::{self, ACTIONS, SEED, Step};
 use host_sim::experiment::forage::life::{Mind, live};
@@ -24,8 +25,9 @@ fn on_host<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: Forager<W, H, P, S, Y, B>,
+    brain: Forager<W, H, P, S, Y, B, M>,
     actions: u32,
 ) -> Echo {
     let mut brain = Box::new(brain);

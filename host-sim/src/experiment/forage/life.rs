@@ -2,6 +2,7 @@
 
 use cla_core::clasm::{ActionId, Agent};
 use cla_core::forager::pioneer::{Action, Item, Percept};
+use cla_core::som::Prototypes;
 
 pub use crate::learner::forager::percept;
 use crate::options::Failure;
@@ -40,7 +41,8 @@ impl<
     const SCHEMAS: usize,
     const SYNTHETIC: usize,
     const BELIEFS: usize,
-> Mind for Agent<1, 7, WIDTH, HEIGHT, 6, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>
+    M: Prototypes<WIDTH, HEIGHT>,
+> Mind for Agent<1, 7, WIDTH, HEIGHT, 6, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS, M>
 {
     fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
         Ok(Self::choose(self, now)?.action)

@@ -6,6 +6,7 @@
 use cla_core::clasm::{Adaptation, AgentConfig};
 use cla_core::forager::{pioneer, small};
 use cla_core::num::Rng;
+use cla_core::som::Prototypes;
 use firmware_example::replay::{Forager, be_born, relive};
 use firmware_example::trace;
 
@@ -89,8 +90,9 @@ fn here<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: Forager<W, H, P, S, Y, B>,
+    brain: Forager<W, H, P, S, Y, B, M>,
     actions: u32,
 ) -> Result<String, Failure> {
     let mut brain = Box::new(brain);
@@ -242,11 +244,12 @@ fn captures<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: Forager<W, H, P, S, Y, B>,
+    brain: Forager<W, H, P, S, Y, B, M>,
     seed: u64,
 ) -> Result<u32, Failure> {
-    let mut brain: Box<Forager<W, H, P, S, Y, B>> = Box::new(brain);
+    let mut brain: Box<Forager<W, H, P, S, Y, B, M>> = Box::new(brain);
     be_born(&mut brain, AgentConfig::FORAGER, seed)?;
     let mut world = Pioneer::new(PioneerConfig::NOISY, seed)?;
     live(&mut *brain, &mut world, ACTIONS.0)?;
