@@ -45,6 +45,8 @@ pub(super) struct Row<const ACTIONS: usize> {
     pub(super) value: f32,
     /// The discounted reward that has really followed, on average.
     pub(super) experienced: f32,
+    /// What that is worth a step before: kept, because it is read more often than it changes.
+    pub(super) then: f32,
     /// How often its schema has succeeded.
     pub(super) visits: f32,
     /// How much a surprise now still concerns it; it fades with time.
@@ -119,6 +121,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
             action,
             value,
             experienced: value,
+            then: 0.0,
             visits: 0.0,
             eligibility: 0.0,
             tried: [0.0; ACTIONS],

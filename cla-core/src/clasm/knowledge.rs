@@ -21,6 +21,8 @@ pub(super) struct Pattern<const WORDS: usize> {
     pub(super) items: SignedItems<WORDS>,
     /// Expected discounted value of acting well from here (see `value`).
     pub(super) value: f32,
+    /// That value times the discount: kept, because it is read more often than it changes.
+    pub(super) then: f32,
     /// The first schema of which it is the context (see `applicable`).
     pub(super) first: u16,
     /// Whether it held in the state that was looked at last.
@@ -88,6 +90,8 @@ pub struct KnowledgeBase<const WORDS: usize, const PATTERNS: usize, const SCHEMA
     /// The items whose inherent value is not 0.
     pub(super) valued: ItemSet<WORDS>,
     pub(super) deferred: [[f32; 32]; WORDS],
+    /// The discount by which the patterns' `then` was computed.
+    pub(super) discount: f32,
     /// The pattern whose value is computed next.
     pub(super) next_value: u16,
     losses: Losses,
@@ -140,6 +144,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             inherent: [[0.0; 32]; WORDS],
             valued: ItemSet::EMPTY,
             deferred: [[0.0; 32]; WORDS],
+            discount: 0.0,
             next_value: 0,
             losses: Losses {
                 evicted_schemas: 0,
@@ -446,6 +451,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         let new = Pattern {
             items: *items,
             value: 0.0,
+            then: 0.0,
             first: NONE,
             holds: false,
         };
