@@ -5,30 +5,20 @@
 //! results chooses.
 //! All memory is inside the value, all of it zero at first: a static agent costs no flash.
 
-use core::fmt;
-
 use super::action::ActionId;
-use super::action_som::{ActionSomBank, Trained};
+use super::action_som::ActionSomBank;
 use super::belief::SyntheticId;
 use super::choice::{ChoiceRule, Preference};
-use super::config::{AgentConfig, ConfigError};
+use super::config::{Adaptation, AgentConfig, ConfigError, Settings};
 use super::item::ItemStates;
-use super::knowledge::{KnowledgeBase, Outcome};
+use super::knowledge::KnowledgeBase;
 use super::sample::Sample;
 use super::schema::SchemaId;
 use super::second_level::{Fallback, Level2Config, SecondLevel};
+use super::step::{AgentError, Choice, Lesson, Level, Reason};
 use super::surprise::{Surprise, SurpriseConfig};
 use crate::num::Rng;
 use crate::som::{BinarySom, Prototypes};
-
-/// A configuration, once there is one; like an `Option` whose `None` is zero, which an `Option`
-/// of something with a tag inside is not.
-#[repr(u8)]
-#[derive(Clone, Copy, Debug)]
-enum Settings {
-    Absent,
-    Present(AgentConfig),
-}
 
 /// What an agent is doing with its life.
 ///
@@ -47,121 +37,6 @@ pub enum Stage {
     /// Chooses by value.
     Acting(Adaptation),
 }
-
-/// What goes on learning while an agent acts (book, 6.3 and 7.1.1).
-///
-/// ```
-/// use cla_core::clasm::Adaptation;
-/// assert_ne!(Adaptation::Frozen, Adaptation::Reliabilities);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Adaptation {
-    /// Nothing.
-    Frozen,
-    /// Reliabilities and the values that follow from them: the book's recovery (6.3).
-    Reliabilities,
-    /// Maps and schemas too (7.1.1).
-    Relearning,
-}
-
-/// Why an action was chosen.
-///
-/// ```
-/// use cla_core::clasm::Reason;
-/// assert_ne!(Reason::Value, Reason::Exploration);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
-    /// It is the best by the rule.
-    Value,
-    /// Training asked for a random action.
-    Exploration,
-    /// No schema that promises anything applies: random.
-    NothingApplies,
-    /// Too long without reward: random.
-    Escape,
-}
-
-/// A level of the hierarchy of schemas.
-///
-/// ```
-/// use cla_core::clasm::Level;
-/// assert!(Level::One < Level::Two);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
-    /// Schemas of primitive items.
-    One,
-    /// Schemas with synthetic items.
-    Two,
-}
-
-/// A chosen action.
-///
-/// ```
-/// use cla_core::clasm::{ActionId, Choice, Reason};
-/// let it = Choice { action: ActionId(0), reason: Reason::Escape, level: None, schema: None, value: 0.0 };
-/// assert_eq!(it.schema, None);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choice {
-    /// What to do.
-    pub action: ActionId,
-    /// Why.
-    pub reason: Reason,
-    /// The level that decided; `None` for a random action.
-    pub level: Option<Level>,
-    /// The schema that speaks for it most, when the choice was by value.
-    pub schema: Option<SchemaId>,
-    /// The value that decided; 0 for a random action.
-    pub value: f32,
-}
-
-/// What one completed action taught.
-///
-/// ```
-/// let it = cla_core::clasm::Lesson::default();
-/// assert_eq!(it.reward, 0.0);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Lesson {
-    /// Inherent value of what is on now.
-    pub reward: f32,
-    /// How the predictions fared.
-    pub outcome: Outcome,
-    /// What the action's map did; `None` when maps are at rest.
-    pub trained: Option<Trained>,
-    /// Whether the maps were harvested.
-    pub harvested: bool,
-}
-
-/// A call out of turn; nothing has changed.
-///
-/// ```
-/// use cla_core::clasm::AgentError;
-/// assert_eq!(AgentError::NotBegun.to_string(), "the agent has not begun: call begin first");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AgentError {
-    /// [`Agent::begin`] was not called.
-    NotBegun,
-    /// [`Agent::learn`] without a [`Agent::choose`] before it.
-    NothingChosen,
-    /// The action is not one of the robot's.
-    NoSuchAction(ActionId),
-}
-
-impl fmt::Display for AgentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotBegun => f.write_str("the agent has not begun: call begin first"),
-            Self::NothingChosen => f.write_str("no action is waiting for its result"),
-            Self::NoSuchAction(action) => write!(f, "the robot has no action {}", action.0),
-        }
-    }
-}
-
-impl core::error::Error for AgentError {}
 
 /// A learning controller in fixed memory; [`brain!`](crate::brain) names its nine capacities.
 ///
