@@ -5,18 +5,18 @@
 //! results chooses.
 //! All memory is inside the value, all of it zero at first: a static agent costs no flash.
 
-use core::fmt;
-
 use super::action::ActionId;
-use super::action_som::{ActionSomBank, Trained};
+use super::action_som::ActionSomBank;
 use super::belief::SyntheticId;
 use super::choice::{ChoiceRule, Preference};
 use super::config::{AgentConfig, ConfigError};
+use super::cost::Cost;
 use super::item::ItemStates;
-use super::knowledge::{KnowledgeBase, Outcome};
+use super::knowledge::KnowledgeBase;
 use super::sample::Sample;
 use super::schema::SchemaId;
 use super::second_level::{Fallback, Level2Config, SecondLevel};
+use super::step::{AgentError, Choice, Lesson, Level, Reason};
 use super::surprise::{Surprise, SurpriseConfig};
 use crate::num::Rng;
 
@@ -38,6 +38,7 @@ enum Settings {
 // With a tag of its own, so that `Unborn` is 0 and a static agent needs no initial data.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Stage {
     /// Not begun: it can neither choose nor learn.
     Unborn,
@@ -54,6 +55,7 @@ pub enum Stage {
 /// assert_ne!(Adaptation::Frozen, Adaptation::Reliabilities);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Adaptation {
     /// Nothing.
     Frozen,
@@ -62,105 +64,6 @@ pub enum Adaptation {
     /// Maps and schemas too (7.1.1).
     Relearning,
 }
-
-/// Why an action was chosen.
-///
-/// ```
-/// use cla_core::clasm::Reason;
-/// assert_ne!(Reason::Value, Reason::Exploration);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
-    /// It is the best by the rule.
-    Value,
-    /// Training asked for a random action.
-    Exploration,
-    /// No schema that promises anything applies: random.
-    NothingApplies,
-    /// Too long without reward: random.
-    Escape,
-}
-
-/// A level of the hierarchy of schemas.
-///
-/// ```
-/// use cla_core::clasm::Level;
-/// assert!(Level::One < Level::Two);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
-    /// Schemas of primitive items.
-    One,
-    /// Schemas with synthetic items.
-    Two,
-}
-
-/// A chosen action.
-///
-/// ```
-/// use cla_core::clasm::{ActionId, Choice, Reason};
-/// let it = Choice { action: ActionId(0), reason: Reason::Escape, level: None, schema: None, value: 0.0 };
-/// assert_eq!(it.schema, None);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choice {
-    /// What to do.
-    pub action: ActionId,
-    /// Why.
-    pub reason: Reason,
-    /// The level that decided; `None` for a random action.
-    pub level: Option<Level>,
-    /// The schema that speaks for it most, when the choice was by value.
-    pub schema: Option<SchemaId>,
-    /// The value that decided; 0 for a random action.
-    pub value: f32,
-}
-
-/// What one completed action taught.
-///
-/// ```
-/// let it = cla_core::clasm::Lesson::default();
-/// assert_eq!(it.reward, 0.0);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Lesson {
-    /// Inherent value of what is on now.
-    pub reward: f32,
-    /// How the predictions fared.
-    pub outcome: Outcome,
-    /// What the action's map did; `None` when maps are at rest.
-    pub trained: Option<Trained>,
-    /// Whether the maps were harvested.
-    pub harvested: bool,
-}
-
-/// A call out of turn; nothing has changed.
-///
-/// ```
-/// use cla_core::clasm::AgentError;
-/// assert_eq!(AgentError::NotBegun.to_string(), "the agent has not begun: call begin first");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AgentError {
-    /// [`Agent::begin`] was not called.
-    NotBegun,
-    /// [`Agent::learn`] without a [`Agent::choose`] before it.
-    NothingChosen,
-    /// The action is not one of the robot's.
-    NoSuchAction(ActionId),
-}
-
-impl fmt::Display for AgentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotBegun => f.write_str("the agent has not begun: call begin first"),
-            Self::NothingChosen => f.write_str("no action is waiting for its result"),
-            Self::NoSuchAction(action) => write!(f, "the robot has no action {}", action.0),
-        }
-    }
-}
-
-impl core::error::Error for AgentError {}
 
 /// A learning controller in fixed memory; [`brain!`](crate::brain) names its nine capacities.
 ///
@@ -293,6 +196,7 @@ impl<
     #[inline(never)]
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
         let config = self.config()?;
+        self.begin_step();
         let explore = match self.stage {
             Stage::Training => self.explores(&config),
             Stage::Acting(_) | Stage::Unborn => false,
@@ -339,9 +243,10 @@ impl<
         if let Settings::Absent = self.config {
             return Err(AgentError::NotBegun);
         }
-        let action = self.chosen.take().ok_or(AgentError::NothingChosen)?;
+        let action = self.chosen.ok_or(AgentError::NothingChosen)?;
         let before = self.context;
         let lesson = self.observe(&before, action, now)?;
+        self.chosen = None;
         self.feel(lesson.reward > 0.0);
         self.since_reward = if lesson.reward > 0.0 {
             0
@@ -352,6 +257,8 @@ impl<
     }
 
     /// Learns from an action that the agent did not choose: a reflex, or a teacher's.
+    ///
+    /// Where no item was known, before and after, maps learn nothing.
     ///
     /// # Errors
     /// [`AgentError::NotBegun`] or [`AgentError::NoSuchAction`].
@@ -378,6 +285,10 @@ impl<
         if usize::from(action.0) >= ACTIONS {
             return Err(AgentError::NoSuchAction(action));
         }
+        // What is observed while a choice waits for its result belongs to that step.
+        if self.chosen.is_none() {
+            self.begin_step();
+        }
         let mut lesson = Lesson {
             reward: self.knowledge.reward(after),
             ..Lesson::default()
@@ -398,7 +309,9 @@ impl<
         if frozen {
             return Ok(lesson);
         }
-        if self.stage != Stage::Acting(Adaptation::Reliabilities) {
+        // A map would count a win for what nobody saw.
+        let blind = before.known().is_empty() && after.known().is_empty();
+        if self.stage != Stage::Acting(Adaptation::Reliabilities) && !blind {
             let sample = Sample::new(before, after, coding, ITEMS as u16);
             if let Settings::Present(config) = &self.config {
                 lesson.trained = self.bank.train(action, &sample, &config.training);
@@ -477,6 +390,36 @@ impl<
         self.since_reward = 0;
         self.burst = 0;
         Ok(())
+    }
+
+    /// What the last control step has touched.
+    ///
+    /// A step begins with [`choose`](Self::choose), and goes on until the next one; an observation
+    /// with no choice before it is a step of its own.
+    /// Harvests, and weighing the evidence in a doubt, are left out.
+    ///
+    /// ```
+    /// use cla_core::clasm::{Agent, AgentConfig, ItemStates};
+    /// let mut agent = Box::new(Agent::<1, 7, 8, 8, 6, 64, 256, 0, 0>::new());
+    /// agent.begin(AgentConfig::FORAGER, 1)?;
+    /// let now = ItemStates::all_off(7);
+    /// agent.choose(&now)?;
+    /// agent.learn(&now)?;
+    /// assert_eq!(agent.cost().units, 2 * 64);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        let mut cost = self.knowledge.cost;
+        cost.add(&self.bank.cost());
+        cost.add(&self.level2.table.cost);
+        cost
+    }
+
+    fn begin_step(&mut self) {
+        self.knowledge.cost = Cost::NONE;
+        self.level2.table.cost = Cost::NONE;
+        self.bank.forget_cost();
     }
 
     /// Goes on with another configuration; what has been learned stays.
@@ -666,8 +609,11 @@ impl<
         if self.surprise.weighs()
             && let Settings::Present(config) = &self.config
         {
+            // Like a harvest, it comes now and then and is no part of a tick.
+            let cost = self.knowledge.cost;
             self.knowledge.weigh::<ACTIONS>(&surprise, &config.values);
             self.level2.doubt(&self.knowledge);
+            self.knowledge.cost = cost;
         }
         if !self.surprise.doubts() && doubted {
             self.knowledge.end_doubt();

@@ -73,6 +73,7 @@ pub struct Escape {
 /// assert_eq!(config.check(), Err(ConfigError::GreedyShare));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ConfigError {
     /// `greedy_share` is outside `[0, 1]` or NaN.
     GreedyShare,

@@ -217,6 +217,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         let result = knowledge.patterns.get(usize::from(schema.result.0));
         let value = result.map_or(0.0, |pattern| pattern.value);
         let item = self.table.add(id, schema.action, value)?;
+        knowledge.count_schemas(knowledge.schemas.len());
         for (index, schema) in knowledge.schemas.iter_mut().enumerate() {
             if index == usize::from(id.0) {
                 schema.set_synthetic(Some(item));
@@ -291,6 +292,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             return;
         };
         let surprise = reward + discount * after.experienced - before.experienced;
+        let mut felt = 0;
         let fading = discount * config.lambda;
         for (index, row) in self.table.rows.iter_mut().enumerate() {
             if index == usize::from(from.0) {
@@ -302,6 +304,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             } else {
                 row.eligibility *= fading;
             }
+            felt += 1;
             if row.eligibility < FELT {
                 row.eligibility = 0.0;
                 continue;
@@ -314,6 +317,8 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             };
             row.experienced += step * row.eligibility * surprise;
         }
+        let cost = &mut self.table.cost;
+        cost.items = cost.items.wrapping_add(felt);
     }
 
     /// After a harvest: follows schemas that moved and drops the items of those that left.
@@ -361,6 +366,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
                 appraisal.applicable = true;
             }
         }
+        knowledge.count_schemas(applicable.seen());
         let tried = self
             .table
             .row(trace)
@@ -376,7 +382,9 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             appraisal.value *= share;
             appraisal.reliability *= share;
         }
-        for belief in self.table.after(trace) {
+        let after = self.table.after(trace);
+        knowledge.cost.beliefs = knowledge.cost.beliefs.wrapping_add(after.len() as u32);
+        for belief in after {
             let Some(row) = self.table.row(belief.item) else {
                 continue;
             };
