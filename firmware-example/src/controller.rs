@@ -11,6 +11,26 @@ use crate::link::{Answer, Dropped, FRAME, Fault, Numbered, Order, Receiver, enco
 use crate::replay::{self, Forager};
 use crate::trace::from_bits;
 
+/// What is worth a line in the log of a robot; nothing without the feature `defmt`.
+mod log {
+    use cla_core::clasm::{AgentError, Choice, Lesson};
+
+    pub(super) fn chosen(_choice: &Choice) {
+        #[cfg(feature = "defmt")]
+        defmt::debug!("{}", _choice);
+    }
+
+    pub(super) fn learned(_lesson: &Lesson) {
+        #[cfg(feature = "defmt")]
+        defmt::debug!("{}", _lesson);
+    }
+
+    pub(super) fn refused(_error: &AgentError) {
+        #[cfg(feature = "defmt")]
+        defmt::warn!("{}", _error);
+    }
+}
+
 /// Bytes to and from the other side.
 pub trait Wire {
     /// Waits for some bytes.
@@ -170,7 +190,10 @@ fn follow<
 ) -> Answer {
     let done = |outcome: Result<(), AgentError>| match outcome {
         Ok(()) => Answer::Done,
-        Err(_) => Answer::Refused,
+        Err(error) => {
+            log::refused(&error);
+            Answer::Refused
+        }
     };
     match order {
         Order::Begin { seed } => match replay::be_born(brain, AgentConfig::FORAGER, seed) {
@@ -178,13 +201,18 @@ fn follow<
             Err(_) => Answer::Refused,
         },
         Order::Choose { now } => match brain.choose(&from_bits(now)) {
-            Ok(choice) => Answer::Chosen {
-                action: choice.action.0 as u8,
-                value: choice.value.to_bits(),
-            },
-            Err(_) => Answer::Refused,
+            Ok(choice) => {
+                log::chosen(&choice);
+                Answer::Chosen {
+                    action: choice.action.0 as u8,
+                    value: choice.value.to_bits(),
+                }
+            }
+            Err(error) => done(Err(error)),
         },
-        Order::Learn { now } => done(brain.learn(&from_bits(now)).map(drop)),
+        Order::Learn { now } => done(brain.learn(&from_bits(now)).map(|it| {
+            log::learned(&it);
+        })),
         Order::Observe {
             before,
             action,

@@ -10,6 +10,7 @@ use super::action_som::ActionSomBank;
 use super::belief::SyntheticId;
 use super::choice::{ChoiceRule, Preference};
 use super::config::{Adaptation, AgentConfig, ConfigError, Settings};
+use super::cost::Cost;
 use super::item::ItemStates;
 use super::knowledge::KnowledgeBase;
 use super::sample::Sample;
@@ -29,6 +30,7 @@ use crate::som::{BinarySom, Prototypes};
 // With a tag of its own, so that `Unborn` is 0 and a static agent needs no initial data.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Stage {
     /// Not begun: it can neither choose nor learn.
     Unborn,
@@ -192,6 +194,7 @@ impl<
     #[inline(never)]
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
         let config = self.config()?;
+        self.begin_step();
         let explore = match self.stage {
             Stage::Training => self.explores(&config),
             Stage::Acting(_) | Stage::Unborn => false,
@@ -238,9 +241,10 @@ impl<
         if let Settings::Absent = self.config {
             return Err(AgentError::NotBegun);
         }
-        let action = self.chosen.take().ok_or(AgentError::NothingChosen)?;
+        let action = self.chosen.ok_or(AgentError::NothingChosen)?;
         let before = self.context;
         let lesson = self.observe(&before, action, now)?;
+        self.chosen = None;
         self.feel(lesson.reward > 0.0);
         self.since_reward = if lesson.reward > 0.0 {
             0
@@ -251,6 +255,8 @@ impl<
     }
 
     /// Learns from an action that the agent did not choose: a reflex, or a teacher's.
+    ///
+    /// Where no item was known, before and after, maps learn nothing.
     ///
     /// # Errors
     /// [`AgentError::NotBegun`] or [`AgentError::NoSuchAction`].
@@ -277,6 +283,10 @@ impl<
         if usize::from(action.0) >= ACTIONS {
             return Err(AgentError::NoSuchAction(action));
         }
+        // What is observed while a choice waits for its result belongs to that step.
+        if self.chosen.is_none() {
+            self.begin_step();
+        }
         let mut lesson = Lesson {
             reward: self.knowledge.reward(after),
             ..Lesson::default()
@@ -297,7 +307,9 @@ impl<
         if frozen {
             return Ok(lesson);
         }
-        if self.stage != Stage::Acting(Adaptation::Reliabilities) {
+        // A map would count a win for what nobody saw.
+        let blind = before.known().is_empty() && after.known().is_empty();
+        if self.stage != Stage::Acting(Adaptation::Reliabilities) && !blind {
             let sample = Sample::new(before, after, coding, ITEMS as u16);
             if let Settings::Present(config) = &self.config {
                 lesson.trained = self.bank.train(action, &sample, &config.training);
@@ -376,6 +388,36 @@ impl<
         self.since_reward = 0;
         self.burst = 0;
         Ok(())
+    }
+
+    /// What the last control step has touched.
+    ///
+    /// A step begins with [`choose`](Self::choose), and goes on until the next one; an observation
+    /// with no choice before it is a step of its own.
+    /// Harvests, and weighing the evidence in a doubt, are left out.
+    ///
+    /// ```
+    /// use cla_core::clasm::{Agent, AgentConfig, ItemStates};
+    /// let mut agent = Box::new(Agent::<1, 7, 8, 8, 6, 64, 256, 0, 0>::new());
+    /// agent.begin(AgentConfig::FORAGER, 1)?;
+    /// let now = ItemStates::all_off(7);
+    /// agent.choose(&now)?;
+    /// agent.learn(&now)?;
+    /// assert_eq!(agent.cost().units, 2 * 64);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        let mut cost = self.knowledge.cost;
+        cost.add(&self.bank.cost());
+        cost.add(&self.level2.table.cost);
+        cost
+    }
+
+    fn begin_step(&mut self) {
+        self.knowledge.cost = Cost::NONE;
+        self.level2.table.cost = Cost::NONE;
+        self.bank.forget_cost();
     }
 
     /// Goes on with another configuration; what has been learned stays.
@@ -565,8 +607,11 @@ impl<
         if self.surprise.weighs()
             && let Settings::Present(config) = &self.config
         {
+            // Like a harvest, it comes now and then and is no part of a tick.
+            let cost = self.knowledge.cost;
             self.knowledge.weigh::<ACTIONS>(&surprise, &config.values);
             self.level2.doubt(&self.knowledge);
+            self.knowledge.cost = cost;
         }
         if !self.surprise.doubts() && doubted {
             self.knowledge.end_doubt();

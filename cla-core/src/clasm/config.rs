@@ -56,6 +56,7 @@ pub struct AgentConfig {
 /// assert_ne!(Adaptation::Frozen, Adaptation::Reliabilities);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Adaptation {
     /// Nothing.
     Frozen,
@@ -98,6 +99,7 @@ pub(super) enum Settings {
 /// assert_eq!(config.check(), Err(ConfigError::GreedyShare));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ConfigError {
     /// `greedy_share` is outside `[0, 1]` or NaN.
     GreedyShare,

@@ -250,6 +250,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         if let Some(row) = self.table.rows.get_mut(usize::from(item.0)) {
             row.then = rates.then(row);
         }
+        knowledge.count_schemas(knowledge.schemas.len());
         for (index, schema) in knowledge.schemas.iter_mut().enumerate() {
             if index == usize::from(id.0) {
                 schema.set_synthetic(Some(item));
@@ -325,6 +326,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             return;
         };
         let surprise = reward + discount * after.experienced - before.experienced;
+        let mut felt = 0;
         let fading = discount * config.lambda;
         // From so many visits on a visit's share is below the learning rate, whatever the rounding.
         let many = 1.01 / config.learning_rate;
@@ -338,6 +340,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             } else {
                 row.eligibility *= fading;
             }
+            felt += 1;
             // Here and below: the bits of positive floats are in their order.
             if row.eligibility.to_bits() < FELT.to_bits() {
                 row.eligibility = 0.0;
@@ -358,6 +361,8 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             row.experienced += step * row.eligibility * surprise;
             row.then = self.rates.then(row);
         }
+        let cost = &mut self.table.cost;
+        cost.items = cost.items.wrapping_add(felt);
     }
 
     /// After a harvest: follows schemas that moved and drops the items of those that left.
@@ -408,6 +413,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
                 appraisal.reliability += p;
             }
         }
+        knowledge.count_schemas(applicable.seen());
         // Occasions that count, those of level 1 among them.
         let mut occasions = [config.prior; ACTIONS];
         if let Some(row) = self.table.row(trace) {
@@ -430,7 +436,9 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             };
             *expected = level1.value * (left / level1.reliability);
         }
-        for belief in self.table.after(trace) {
+        let after = self.table.after(trace);
+        knowledge.cost.beliefs = knowledge.cost.beliefs.wrapping_add(after.len() as u32);
+        for belief in after {
             let Some(row) = self.table.row(belief.item) else {
                 continue;
             };

@@ -14,6 +14,7 @@ use super::schema::SchemaId;
 /// assert_ne!(Reason::Value, Reason::Exploration);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Reason {
     /// It is the best by the rule.
     Value,
@@ -32,6 +33,7 @@ pub enum Reason {
 /// assert!(Level::One < Level::Two);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Level {
     /// Schemas of primitive items.
     One,
@@ -47,6 +49,7 @@ pub enum Level {
 /// assert_eq!(it.schema, None);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Choice {
     /// What to do.
     pub action: ActionId,
@@ -67,6 +70,7 @@ pub struct Choice {
 /// assert_eq!(it.reward, 0.0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lesson {
     /// Inherent value of what is on now.
     pub reward: f32,
@@ -85,6 +89,7 @@ pub struct Lesson {
 /// assert_eq!(AgentError::NotBegun.to_string(), "the agent has not begun: call begin first");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum AgentError {
     /// [`Agent::begin`] was not called.
     NotBegun,

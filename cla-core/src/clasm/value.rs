@@ -68,6 +68,7 @@ impl ValueConfig {
 /// assert_eq!(knowledge.set_inherent_value(ItemId(99), 1.0), Err(InherentValueError::NoSuchItem));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InherentValueError {
     /// The value is NaN or infinite.
     NotFinite,
@@ -363,6 +364,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 *most = bonus;
             }
         }
+        self.count_schemas(applicable.seen());
         for (appraisal, bonus) in appraisals.iter_mut().zip(bonuses) {
             // The bits of positive floats are in their order.
             if appraisal.reliability.to_bits() > 1.0_f32.to_bits() {

@@ -13,7 +13,8 @@ use firmware_example::trace;
 use super::board::{Build, Target, section_bytes};
 use super::hil::{self, Life};
 use super::peers;
-use crate::experiment::forage::life::live;
+use crate::learner::live;
+use crate::meter::Load;
 use crate::options::Failure;
 use crate::progress::{Progress, Ticker};
 use crate::report::{Bound, Claim, Expectation, Results, Rule, Summary, Table, mean};
@@ -40,7 +41,13 @@ pub fn run(seeds: &[u64], progress: &Progress) -> Result<Results, Failure> {
     summary.claims.extend(in_the_loop(&lives));
     summary.claims.extend(small_profile(seeds, progress)?);
     summary.claims.extend(race()?);
-    Ok(Results::new(summary))
+    let mut results = Results::new(summary);
+    results.worst_ticks = worst_ticks(&lives);
+    Ok(results)
+}
+
+fn worst_ticks(lives: &[Life]) -> Vec<(&'static str, u64)> {
+    Load::of(lives.iter().map(|life| &life.load)).by_processor()
 }
 
 /// Brain in the loop alone.
@@ -75,7 +82,9 @@ pub fn run_hil(
     }
     summary.table("the brain in the emulated controller", table);
     summary.claims = in_the_loop(&lives);
-    Ok(Results::new(summary))
+    let mut results = Results::new(summary);
+    results.worst_ticks = worst_ticks(&lives);
+    Ok(results)
 }
 
 fn extension(id: &str, unit: &str) -> Expectation {
@@ -90,13 +99,13 @@ fn here<
     const S: usize,
     const Y: usize,
     const B: usize,
-    M: Prototypes<W, H>,
+    M: Prototypes<W, H> + 'static,
 >(
     brain: Forager<W, H, P, S, Y, B, M>,
     actions: u32,
 ) -> Result<String, Failure> {
     let mut brain = Box::new(brain);
-    let echo = relive(&mut brain, trace::SEED, actions, |_| {})?;
+    let echo = relive(&mut brain, trace::SEED, actions, |_, _| {})?;
     Ok(echo.to_string())
 }
 
@@ -254,7 +263,7 @@ fn captures<
     const S: usize,
     const Y: usize,
     const B: usize,
-    M: Prototypes<W, H>,
+    M: Prototypes<W, H> + 'static,
 >(
     brain: Forager<W, H, P, S, Y, B, M>,
     seed: u64,
@@ -269,7 +278,7 @@ fn captures<
     brain.act(Adaptation::Reliabilities)?;
     let test = Rng::stream(seed, 1).next_seed();
     let mut world = Pioneer::new(PioneerConfig::NOISY, test)?;
-    Ok(live(&mut *brain, &mut world, ACTIONS.1)?.captures)
+    Ok(live(&mut *brain, &mut world, ACTIONS.1)?.total())
 }
 
 fn small_profile(seeds: &[u64], progress: &Progress) -> Result<Vec<Claim>, Failure> {
