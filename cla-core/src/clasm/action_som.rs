@@ -266,7 +266,7 @@ impl<
     }
 
     /// Moves the winner and its neighbours towards the sample, the map's `samples`th; answers how
-    /// many nodes are within reach.
+    /// many nodes within reach follow.
     #[inline(never)]
     fn adapt<const WORDS: usize>(
         &mut self,
@@ -288,11 +288,17 @@ impl<
         self.result
             .train(&sample.result(), winner, alpha, &near, may_move);
         let (column, row) = self.wins.position(winner);
-        let reached = |at: usize, radius: usize, side: usize| {
-            (at + radius).min(side - 1) - at.saturating_sub(radius) + 1
-        };
-        let columns = reached(column, near.horizontal_radius(), WIDTH);
-        (columns * reached(row, near.vertical_radius(), HEIGHT)) as u32
+        let (left, top) = (
+            column.saturating_sub(near.horizontal_radius()),
+            row.saturating_sub(near.vertical_radius()),
+        );
+        let columns = (column + near.horizontal_radius()).min(WIDTH - 1) + 1 - left;
+        let rows = (row + near.vertical_radius()).min(HEIGHT - 1) + 1 - top;
+        let near = recruited.chunks_exact(WIDTH.max(1)).skip(top).take(rows);
+        let near = near.flat_map(|row| row.iter().skip(left).take(columns));
+        let moved = near.filter(|&&recruited| !recruited).count();
+        let alone = recruited.get(usize::from(winner.0)) == Some(&true);
+        moved as u32 + u32::from(alone)
     }
 
     /// Gives the sample the node with the fewest wins: a free one, or else a recruited one.

@@ -23,7 +23,7 @@ pub struct Cost {
     pub units: u32,
     /// Their weights that were read: one for each feature of the sample that is on.
     pub weights: u32,
-    /// Prototypes within the winner's neighbourhood, or imprinted; halves apart.
+    /// Prototypes that followed the winner, or were imprinted; halves apart.
     pub moved: u32,
     /// Conjunctions held against a state.
     pub patterns: u32,

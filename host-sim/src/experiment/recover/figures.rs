@@ -89,7 +89,7 @@ fn curve(of: &Lived<'_>, damage: &Damage) -> Result<Picture, FigureError> {
         }
         lines.push(Line::new(who.name(), points));
     }
-    let top = (most * 1.45).max(1.0);
+    let top = (most * 1.15).max(1.0);
     let knock = [(0.0, 0.0), (0.0, top)].map(|(x, y)| Point::at(x, y));
     lines.push(Line {
         label: "damage".to_owned(),
@@ -106,7 +106,7 @@ fn curve(of: &Lived<'_>, damage: &Damage) -> Result<Picture, FigureError> {
         &axes
             .x(span.0 - 500.0, span.1 + 500.0)
             .y(0.0, top)
-            .sized(900, 520),
+            .sized(1080, 520),
         &lines,
     )
 }
@@ -136,6 +136,8 @@ fn performance_bars(of: &Lived<'_>) -> Result<Picture, FigureError> {
         ("re-learning, 10-13k", Entrant::Plain, 10, 13),
         ("surprise, 0-3k", Entrant::Surprise, 0, 3),
         ("surprise, 10-13k", Entrant::Surprise, 10, 13),
+        ("two levels, 0-3k", Entrant::Both, 0, 3),
+        ("two levels, 10-13k", Entrant::Both, 10, 13),
         ("Sarsa(λ), 0-3k", Entrant::Sarsa, 0, 3),
         ("Sarsa(λ), 10-13k", Entrant::Sarsa, 10, 13),
     ] {

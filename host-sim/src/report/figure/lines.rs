@@ -2,7 +2,10 @@
 
 use plotters::prelude::*;
 
-use super::{Axes, FigureError, LABEL, Picture, SMALL, TITLE, fitted, palette, picture, tick};
+use super::{
+    Axes, Canvas, Drawing, FigureError, LABEL, Picture, SMALL, TITLE, fitted, palette, picture,
+    tick,
+};
 use crate::report::{confidence_interval, mean};
 
 /// A point of a line, with the ends of its band where it has one.
@@ -119,7 +122,10 @@ pub fn line_chart(axes: &Axes, lines: &[Line]) -> Result<Picture, FigureError> {
         return Err(FigureError("an axis has no extent".to_owned()));
     }
     picture(axes.size, |page| {
-        let mut chart = ChartBuilder::on(page)
+        let crowded = lines.len() > CROWD;
+        let width = axes.size.0 - if crowded { SIDE } else { 0 };
+        let (plot, side) = page.split_horizontally(width);
+        let mut chart = ChartBuilder::on(&plot)
             .caption(&axes.title, ("sans-serif", TITLE))
             .margin(12)
             .margin_right(24)
@@ -137,15 +143,7 @@ pub fn line_chart(axes: &Axes, lines: &[Line]) -> Result<Picture, FigureError> {
             .axis_desc_style(("sans-serif", LABEL))
             .label_style(("sans-serif", SMALL))
             .draw()?;
-        let mut colours = 0;
-        for line in &lines {
-            let colour = match line.mark {
-                Mark::Dashed => BLACK,
-                Mark::Solid => {
-                    colours += 1;
-                    palette::category(colours - 1)
-                }
-            };
+        for (line, colour) in coloured(&lines) {
             if let Some(outline) = band(line) {
                 chart.draw_series(std::iter::once(Polygon::new(outline, colour.mix(0.2))))?;
             }
@@ -167,6 +165,9 @@ pub fn line_chart(axes: &Axes, lines: &[Line]) -> Result<Picture, FigureError> {
                 PathElement::new(vec![(x, y), (end, y)], colour.stroke_width(2))
             });
         }
+        if crowded {
+            return beside(&side, &lines);
+        }
         if lines.len() > 1 {
             chart
                 .configure_series_labels()
@@ -180,6 +181,37 @@ pub fn line_chart(axes: &Axes, lines: &[Line]) -> Result<Picture, FigureError> {
         }
         Ok(())
     })
+}
+
+/// Lines from which on the legend has no room within the axes.
+const CROWD: usize = 6;
+/// Width of a legend beside the axes, pixels.
+const SIDE: u32 = 240;
+
+fn coloured(lines: &[Line]) -> impl Iterator<Item = (&Line, RGBColor)> {
+    let mut solid = 0;
+    lines.iter().map(move |line| match line.mark {
+        Mark::Dashed => (line, BLACK),
+        Mark::Solid => {
+            solid += 1;
+            (line, palette::category(solid - 1))
+        }
+    })
+}
+
+/// The legend in an area of its own.
+fn beside(area: &Canvas<'_>, lines: &[Line]) -> Drawing {
+    for (row, (line, colour)) in coloured(lines).enumerate() {
+        let y = 60 + 24 * row as i32;
+        let end = if line.mark == Mark::Dashed { 9 } else { 22 };
+        area.draw(&PathElement::new(
+            [(0, y), (end, y)],
+            colour.stroke_width(2),
+        ))?;
+        let font = ("sans-serif", SMALL).into_font().color(&BLACK);
+        area.draw(&Text::new(line.label.clone(), (30, y - 7), font))?;
+    }
+    Ok(())
 }
 
 /// ROC curves from scores of positives and negatives; the label gets the area under the curve.

@@ -2,8 +2,9 @@
 
 use plotters::style::RGBColor;
 
-/// Okabe and Ito's colours, darkest contrasts first; black is kept for axes and references.
-const CATEGORIES: [RGBColor; 7] = [
+/// Okabe and Ito's colours, darkest contrasts first, grey and brown; black is kept for axes and
+/// references.
+const CATEGORIES: [RGBColor; 8] = [
     RGBColor(0x00, 0x72, 0xB2),
     RGBColor(0xD5, 0x5E, 0x00),
     RGBColor(0x00, 0x9E, 0x73),
@@ -11,6 +12,7 @@ const CATEGORIES: [RGBColor; 7] = [
     RGBColor(0xE6, 0x9F, 0x00),
     RGBColor(0x56, 0xB4, 0xE9),
     RGBColor(0x77, 0x77, 0x77),
+    RGBColor(0x6B, 0x3F, 0x1D),
 ];
 
 /// Nine steps of viridis, dark to bright.
@@ -26,7 +28,7 @@ const RAMP: [RGBColor; 9] = [
     RGBColor(0xFD, 0xE7, 0x25),
 ];
 
-/// The colour of the category with this index; they repeat after seven.
+/// The colour of the category with this index; they repeat after eight.
 pub(super) fn category(index: usize) -> RGBColor {
     CATEGORIES[index % CATEGORIES.len()]
 }
