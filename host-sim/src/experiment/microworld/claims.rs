@@ -11,6 +11,8 @@ use crate::report::{Bound, Claim, Expectation, Rule, mean};
 type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
 /// Where a trial has a learner's growth.
 type Learner = fn(&Trial) -> &Vec<Growth>;
+/// Where a trial has the shares of attempts that reached their goals.
+type Attempts = fn(&Trial) -> &Vec<f64>;
 /// An equation's number, the seeds of twenty that must have it, and whether level 2 does.
 type Finding = (&'static str, u32, fn(&Level2) -> bool);
 
@@ -381,7 +383,7 @@ fn head_to_head(trials: &[Trial]) -> Vec<Claim> {
         .judge(&numbers(trials, |it| it.conjunctive_schemas as f64)),
     );
     for (index, group) in GOALS.iter().enumerate().take(6) {
-        let forms: [(&str, &str, fn(&Trial) -> &Vec<f64>); 2] = [
+        let forms: [(&str, &str, Attempts); 2] = [
             (
                 "",
                 "by the book's chain over its schemas, after 10,000 steps",
