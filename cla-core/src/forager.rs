@@ -18,16 +18,17 @@ crate::brain! {
 }
 
 crate::brain! {
-    /// The same robot with the brain for small parts: its life fills a quarter of the book's maps.
+    /// The same robot with the brain for small parts: its life fills a quarter of the book's maps,
+    /// and a byte is enough for a weight.
     pub mod small {
         items: [s1, s2, s3, s4, s5, ingrip, bump],
         actions: [forward, backward, turnl, turnr, turnaround, grip],
         values: [ingrip = 10.0],
-        maps: 10 x 10,
+        maps: 10 x 10 of bytes,
         patterns: 64,
         schemas: 512,
         synthetic: 384,
         beliefs: 3072,
-        ram: 112_000,
+        ram: 74_000,
     }
 }

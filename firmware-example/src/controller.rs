@@ -4,11 +4,32 @@
 //! followed twice, so that the other side may ask again; any other is dropped and counted.
 
 use cla_core::clasm::{ActionId, Adaptation, AgentConfig, AgentError};
+use cla_core::som::Prototypes;
 
 use crate::fingerprint::Fingerprint;
 use crate::link::{Answer, Dropped, FRAME, Fault, Numbered, Order, Receiver, encode};
 use crate::replay::{self, Forager};
 use crate::trace::from_bits;
+
+/// What is worth a line in the log of a robot; nothing without the feature `defmt`.
+mod log {
+    use cla_core::clasm::{AgentError, Choice, Lesson};
+
+    pub(super) fn chosen(_choice: &Choice) {
+        #[cfg(feature = "defmt")]
+        defmt::debug!("{}", _choice);
+    }
+
+    pub(super) fn learned(_lesson: &Lesson) {
+        #[cfg(feature = "defmt")]
+        defmt::debug!("{}", _lesson);
+    }
+
+    pub(super) fn refused(_error: &AgentError) {
+        #[cfg(feature = "defmt")]
+        defmt::warn!("{}", _error);
+    }
+}
 
 /// Bytes to and from the other side.
 pub trait Wire {
@@ -54,8 +75,9 @@ pub fn serve<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: &mut Forager<W, H, P, S, Y, B>,
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
     wire: &mut impl Wire,
     body: &mut impl SafeStop,
 ) -> End {
@@ -116,10 +138,11 @@ impl Desk {
         const S: usize,
         const Y: usize,
         const B: usize,
+        M: Prototypes<W, H>,
     >(
         &mut self,
         order: Result<Numbered<Order>, Fault>,
-        brain: &mut Forager<W, H, P, S, Y, B>,
+        brain: &mut Forager<W, H, P, S, Y, B, M>,
     ) -> Option<Numbered<Answer>> {
         let dropped = &mut self.dropped;
         let Numbered { number, message } = match order {
@@ -159,14 +182,18 @@ fn follow<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
     order: Order,
-    brain: &mut Forager<W, H, P, S, Y, B>,
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
     dropped: Dropped,
 ) -> Answer {
     let done = |outcome: Result<(), AgentError>| match outcome {
         Ok(()) => Answer::Done,
-        Err(_) => Answer::Refused,
+        Err(error) => {
+            log::refused(&error);
+            Answer::Refused
+        }
     };
     match order {
         Order::Begin { seed } => match replay::be_born(brain, AgentConfig::FORAGER, seed) {
@@ -174,13 +201,18 @@ fn follow<
             Err(_) => Answer::Refused,
         },
         Order::Choose { now } => match brain.choose(&from_bits(now)) {
-            Ok(choice) => Answer::Chosen {
-                action: choice.action.0 as u8,
-                value: choice.value.to_bits(),
-            },
-            Err(_) => Answer::Refused,
+            Ok(choice) => {
+                log::chosen(&choice);
+                Answer::Chosen {
+                    action: choice.action.0 as u8,
+                    value: choice.value.to_bits(),
+                }
+            }
+            Err(error) => done(Err(error)),
         },
-        Order::Learn { now } => done(brain.learn(&from_bits(now)).map(drop)),
+        Order::Learn { now } => done(brain.learn(&from_bits(now)).map(|it| {
+            log::learned(&it);
+        })),
         Order::Observe {
             before,
             action,
@@ -215,8 +247,9 @@ pub fn knowledge<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: &Forager<W, H, P, S, Y, B>,
+    brain: &Forager<W, H, P, S, Y, B, M>,
 ) -> u64 {
     let mut print = Fingerprint::new();
     replay::add_schemas(&mut print, brain);

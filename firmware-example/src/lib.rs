@@ -8,9 +8,20 @@
 pub mod board;
 pub mod controller;
 pub mod fingerprint;
+#[cfg(target_os = "none")]
+pub mod hal;
 pub mod link;
+pub mod meter;
 pub mod replay;
 pub mod trace;
+
+// Where the log goes, and the critical section that it needs.
+#[cfg(all(feature = "defmt", target_os = "none", target_arch = "arm"))]
+use cortex_m as _;
+#[cfg(all(feature = "defmt", target_os = "none"))]
+use defmt_rtt as _;
+#[cfg(all(feature = "defmt", target_os = "none", target_arch = "riscv32"))]
+use riscv as _;
 
 /// The brain of this build: the forager's, or with the feature `small` the one for small parts.
 pub mod profile {

@@ -65,7 +65,7 @@ fn main() -> ! {
     let mut costs: [Cost; NAMES.len()] = Default::default();
     let (mut second, mut choosing) = (false, None);
     let mut counter = board::Counter::start();
-    let lived = relive(brain, trace::SEED, ACTIONS, |moment| {
+    let lived = relive(brain, trace::SEED, ACTIONS, |moment, _| {
         let instructions = counter.lap();
         let [
             choose1,

@@ -6,8 +6,9 @@
 
 use core::fmt;
 
-use cla_core::clasm::{Adaptation, Agent, AgentConfig, AgentError, ConfigError};
+use cla_core::clasm::{Adaptation, Agent, AgentConfig, AgentError, ConfigError, Cost};
 use cla_core::forager::pioneer::{ITEMS, Item};
+use cla_core::som::{BinarySom, Prototypes};
 
 use crate::fingerprint::Fingerprint;
 use crate::trace;
@@ -20,7 +21,8 @@ pub type Forager<
     const SCHEMAS: usize,
     const SYNTHETIC: usize,
     const BELIEFS: usize,
-> = Agent<1, 7, W, H, 6, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>;
+    M = BinarySom<W, H, 7>,
+> = Agent<1, 7, W, H, 6, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS, M>;
 
 /// A moment of a step, for whoever measures what lies between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,8 +85,9 @@ pub fn be_born<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: &mut Forager<W, H, P, S, Y, B>,
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
     config: AgentConfig,
     seed: u64,
 ) -> Result<(), ConfigError> {
@@ -112,11 +115,12 @@ pub fn relive<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: &mut Forager<W, H, P, S, Y, B>,
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
     seed: u64,
     actions: u32,
-    mut at: impl FnMut(Moment),
+    mut at: impl FnMut(Moment, Cost),
 ) -> Result<Echo, ReplayError> {
     be_born(brain, AgentConfig::FORAGER, seed).map_err(ReplayError::Config)?;
     let mut echo = Echo::default();
@@ -125,20 +129,20 @@ pub fn relive<
             brain
                 .reconfigure(AgentConfig::FORAGER_LEVEL2)
                 .map_err(ReplayError::Config)?;
-            at(Moment::SecondLevel);
+            at(Moment::SecondLevel, Cost::default());
         }
         if !step.reflex && echo.actions == acting_at(actions) {
-            at(Moment::Sensed);
+            at(Moment::Sensed, Cost::default());
             brain
                 .act(Adaptation::Relearning)
                 .map_err(ReplayError::Agent)?;
-            at(Moment::Settled);
+            at(Moment::Settled, brain.cost());
         }
-        at(Moment::Sensed);
+        at(Moment::Sensed, Cost::default());
         let mut agreed = false;
         if !step.reflex {
             let choice = brain.choose(&step.before).map_err(ReplayError::Agent)?;
-            at(Moment::Chosen);
+            at(Moment::Chosen, brain.cost());
             agreed = choice.action == step.action;
             echo.actions += 1;
             echo.agreed += u32::from(agreed);
@@ -147,7 +151,7 @@ pub fn relive<
             echo.choices
                 .number(choice.level.map_or(0, |level| level as u32 + 1));
             echo.choices.float(choice.value);
-            at(Moment::Sensed);
+            at(Moment::Sensed, Cost::default());
         }
         let learned = if agreed {
             brain.learn(&step.after)
@@ -155,11 +159,12 @@ pub fn relive<
             brain.observe(&step.before, step.action, &step.after)
         };
         let lesson = learned.map_err(ReplayError::Agent)?;
-        at(if lesson.harvested {
+        let moment = if lesson.harvested {
             Moment::Harvested
         } else {
             Moment::Learned
-        });
+        };
+        at(moment, brain.cost());
         if lesson.trained.is_some() {
             for &distance in brain.bank().last_distances().as_slice() {
                 echo.distances.float(distance);
@@ -180,9 +185,10 @@ fn add_weights<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
     print: &mut Fingerprint,
-    brain: &Forager<W, H, P, S, Y, B>,
+    brain: &Forager<W, H, P, S, Y, B, M>,
 ) {
     for map in brain.bank().maps() {
         for node in map.nodes() {
@@ -202,9 +208,10 @@ pub(crate) fn add_schemas<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
     print: &mut Fingerprint,
-    brain: &Forager<W, H, P, S, Y, B>,
+    brain: &Forager<W, H, P, S, Y, B, M>,
 ) {
     let knowledge = brain.knowledge();
     for schema in knowledge.schemas() {
@@ -230,9 +237,10 @@ pub(crate) fn add_beliefs<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
     print: &mut Fingerprint,
-    brain: &Forager<W, H, P, S, Y, B>,
+    brain: &Forager<W, H, P, S, Y, B, M>,
 ) {
     for belief in brain.second_level().beliefs() {
         print.number(belief.trace.0.into());

@@ -10,12 +10,13 @@ use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
 use cla_core::forager::pioneer::{self, Brain, Percept};
 use firmware_example::replay::{acting_at, second_level_at};
 use firmware_example::trace::{ACTIONS, SEED, Step};
-use host_sim::experiment::forage::life::{Mind, live};
+use host_sim::learner::forager::percept;
+use host_sim::learner::{Learner, live};
 use host_sim::options::Failure;
 use host_sim::report::Output;
-use host_sim::world::World;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::pioneer::Pioneer;
+use host_sim::world::{self, World};
 
 /// A brain, and what it was shown.
 struct Recorder {
@@ -36,28 +37,33 @@ impl Recorder {
     }
 }
 
-impl Mind for Recorder {
-    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
-        let action = Mind::choose(&mut *self.brain, now)?;
-        self.chosen = Some((*now, action));
+impl Learner for Recorder {
+    fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
+        let action = Learner::choose(&mut *self.brain, now)?;
+        self.chosen = Some((percept(now), ActionId(action as u16)));
         Ok(action)
     }
 
-    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
+    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
         if let Some((before, action)) = self.chosen.take() {
-            self.note(&before, action, now, false);
+            self.note(&before, action, &percept(now), false);
         }
-        Mind::learn(&mut *self.brain, now)
+        Learner::learn(&mut *self.brain, now)
     }
 
     fn observe(
         &mut self,
-        before: &Percept,
-        action: ActionId,
-        after: &Percept,
+        before: &world::Percept,
+        action: usize,
+        after: &world::Percept,
     ) -> Result<(), Failure> {
-        self.note(before, action, after, true);
-        Mind::observe(&mut *self.brain, before, action, after)
+        self.note(
+            &percept(before),
+            ActionId(action as u16),
+            &percept(after),
+            true,
+        );
+        Learner::observe(&mut *self.brain, before, action, after)
     }
 }
 

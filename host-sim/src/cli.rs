@@ -9,7 +9,8 @@ use clap::{Args, Parser, Subcommand};
 
 /// Robots that build their own world: the experiments of Chaput 2004, with their verdicts.
 ///
-/// Exit code 0 when the experiment ran, 1 when it failed, 2 for impossible options.
+/// Exit code 0 when the experiment ran, 1 when it failed or exceeded its --budget, 2 for impossible
+/// options.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "host-sim", version, max_term_width = 100)]
 pub struct Cli {
@@ -53,6 +54,18 @@ pub struct SeedArgs {
     /// Seeds, without the last: 100..120 are twenty; or a single one.
     #[arg(long, value_name = "A..B", default_value = "100")]
     pub seeds: String,
+}
+
+/// What the brain may cost on a microcontroller.
+#[derive(Clone, Debug, Args)]
+pub struct BudgetArgs {
+    /// Limits that the run must keep: instructions of a control step, bytes of RAM of the brain; N
+    /// is a number, or one with k (1000) or KiB (1024).
+    #[arg(long, value_name = "instructions=N,ram=N", value_delimiter = ',')]
+    pub budget: Vec<String>,
+    /// The processor whose instructions are estimated: cortex-m4f, cortex-m0+ or rv32imac.
+    #[arg(long, value_name = "NAME", default_value = "cortex-m4f")]
+    pub processor: String,
 }
 
 /// The Pioneer's world.
@@ -110,6 +123,9 @@ pub struct ForageArgs {
     /// Actions of a test.
     #[arg(long, value_name = "N", default_value_t = 3_000)]
     pub test_actions: u32,
+    /// What the brain may cost.
+    #[command(flatten)]
+    pub budget: BudgetArgs,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,
@@ -128,6 +144,9 @@ pub struct RecoverArgs {
     /// Where they are lived.
     #[command(flatten)]
     pub world: WorldArgs,
+    /// What the brain may cost.
+    #[command(flatten)]
+    pub budget: BudgetArgs,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,
@@ -175,6 +194,9 @@ pub struct McuArgs {
     /// Which lives.
     #[command(flatten)]
     pub seeds: SeedArgs,
+    /// What the brain may cost.
+    #[command(flatten)]
+    pub budget: BudgetArgs,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,
@@ -192,6 +214,9 @@ pub struct HilArgs {
     /// Actions of the test.
     #[arg(long, value_name = "N", default_value_t = 3_000)]
     pub test_actions: u32,
+    /// What the brain may cost.
+    #[command(flatten)]
+    pub budget: BudgetArgs,
     /// Where the files go.
     #[command(flatten)]
     pub out: OutArgs,

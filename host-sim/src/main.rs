@@ -27,7 +27,7 @@ fn main() -> ExitCode {
 
 fn run(order: &Order) -> Result<(), Failure> {
     let output = Output::prepare(&order.out)?;
-    let mut results = order.job.run(&Progress::on_terminal())?;
+    let mut results = order.run(&Progress::on_terminal())?;
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     results.summary.command = format!("host-sim {}", arguments.join(" "));
     let paths = results.write(&output)?;
@@ -37,9 +37,10 @@ fn run(order: &Order) -> Result<(), Failure> {
         .for_each(|path| text.push_str(&format!("\nwrote {}", path.display())));
     match writeln!(std::io::stdout(), "{text}") {
         // Whoever read along has seen enough.
-        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-        written => Ok(written?),
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => {}
+        written => written?,
     }
+    results.over_budget.map_or(Ok(()), |why| Err(why.into()))
 }
 
 /// The first line of what the parser of the command line says, which is the whole of its point.

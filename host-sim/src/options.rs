@@ -7,11 +7,13 @@ use std::path::{Path, PathBuf};
 use std::{error, fmt, fs};
 
 use cla_core::clasm::{AgentConfig, ItemId};
+use cla_core::forager;
 use clap::Parser;
 
+use crate::budget::Budget;
 use crate::cli::{
-    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, HilArgs, McuArgs,
-    MicroworldArgs, OutArgs, RecoverArgs, SeedArgs, WorldArgs,
+    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, HilArgs, MicroworldArgs,
+    OutArgs, RecoverArgs, SeedArgs, WorldArgs,
 };
 use crate::experiment::angle::{self, AngleConfig};
 use crate::experiment::calibrate;
@@ -83,6 +85,8 @@ pub struct Order {
     pub job: Job,
     /// The directory of its files.
     pub out: PathBuf,
+    /// What its brain may cost; `None` where there is no brain with a budget.
+    pub budget: Option<Budget>,
 }
 
 impl Order {
@@ -100,36 +104,60 @@ impl Order {
             Command::Forage(args) => Ok(Self {
                 job: Job::Forage(Box::new(forage_options(args)?)),
                 out: directory(&args.out, "forage"),
+                budget: Some(Budget::new(&args.budget)?),
             }),
             Command::Calibrate(CalibrateArgs { out }) => Ok(Self {
                 job: Job::Calibrate,
                 out: directory(out, "calibrate"),
+                budget: None,
             }),
             Command::Causal(CausalArgs { seeds: args, out }) => Ok(Self {
                 job: Job::Causal(seeds(args)?),
                 out: directory(out, "causal"),
+                budget: None,
             }),
             Command::Angle(AngleArgs { seeds: args, out }) => Ok(Self {
                 job: Job::Angle(seeds(args)?),
                 out: directory(out, "angle"),
+                budget: None,
             }),
             Command::Recover(args) => Ok(Self {
                 job: Job::Recover(Box::new(recover_options(args)?)),
                 out: directory(&args.out, "recover"),
+                budget: Some(Budget::new(&args.budget)?),
             }),
             Command::Microworld(args) => Ok(Self {
                 job: Job::Microworld(microworld_options(args)?),
                 out: directory(&args.out, "microworld"),
+                budget: None,
             }),
-            Command::Mcu(McuArgs { seeds: args, out }) => Ok(Self {
-                job: Job::Mcu(seeds(args)?),
-                out: directory(out, "mcu"),
+            Command::Mcu(args) => Ok(Self {
+                job: Job::Mcu(seeds(&args.seeds)?),
+                out: directory(&args.out, "mcu"),
+                budget: Some(Budget::new(&args.budget)?),
             }),
             Command::Hil(args) => Ok(Self {
                 job: hil(args)?,
                 out: directory(&args.out, "hil"),
+                budget: Some(Budget::new(&args.budget)?),
             }),
         }
+    }
+}
+
+impl Order {
+    /// Runs the job, and holds what it cost against its budget.
+    ///
+    /// # Errors
+    /// [`Failure`] when it fails, or its brain is too large; nothing has been written.
+    pub fn run(&self, progress: &Progress) -> Result<Results, Failure> {
+        let Some(budget) = &self.budget else {
+            return self.job.run(progress);
+        };
+        // All of them run the same brain.
+        let bytes = forager::pioneer::RAM;
+        budget.check_ram(bytes)?;
+        Ok(budget.judge(self.job.run(progress)?, bytes))
     }
 }
 

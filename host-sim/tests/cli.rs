@@ -66,6 +66,10 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         &["recover", "--damage", "camera:left"],
         &["recover", "--damage", "dead:s9"],
         &["recover", "--removed"],
+        &["forage", "--budget", "60000"],
+        &["recover", "--budget", "time=3"],
+        &["hil", "--budget", "ram=1,ram=2"],
+        &["mcu", "--processor", "z80"],
     ] {
         let output = run(&folder.0, arguments);
         let sentence = String::from_utf8_lossy(&output.stderr);
@@ -103,7 +107,14 @@ fn an_interrupted_run_leaves_whole_files_or_none() {
     .stderr(Stdio::null())
     .spawn()
     .expect("the program starts");
-    std::thread::sleep(Duration::from_millis(500));
+    // A thousand worlds are looked at before the folder is made.
+    for _ in 0..600 {
+        if folder.0.join("here").is_dir() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    std::thread::sleep(Duration::from_millis(200));
     assert_eq!(
         child.try_wait().expect("it can be asked"),
         None,
@@ -131,4 +142,53 @@ fn calibrate_writes_its_claims_and_pictures_and_shows_them() {
     }
     // Without a terminal there is no progress bar.
     assert!(output.stderr.is_empty());
+}
+
+#[test]
+fn a_run_that_exceeds_its_budget_says_so_and_ends_with_exit_code_1() {
+    let folder = Folder::new("budget");
+    let forage = |budget: &str| {
+        let arguments = [
+            "forage",
+            "--seeds",
+            "3",
+            "--actions",
+            "1000",
+            "--test-actions",
+            "100",
+            "--out",
+            "here",
+            "--budget",
+            budget,
+        ];
+        let output = run(&folder.0, &arguments);
+        let [out, err] = [&output.stdout, &output.stderr]
+            .map(|stream| String::from_utf8_lossy(stream).into_owned());
+        (output.status.code(), out, err)
+    };
+    // Too large before anything is trained, and nothing is written.
+    let (code, out, sentence) = forage("ram=128KiB");
+    assert_eq!((code, out.as_str()), (Some(1), ""), "{sentence}");
+    assert!(
+        sentence.contains("more than ram=131072 allows"),
+        "{sentence}"
+    );
+    assert!(!folder.0.join("here/summary.json").exists());
+    // Too slow is known at the end: the results are there, and the run has failed.
+    let (code, out, sentence) = forage("instructions=20k");
+    assert_eq!(code, Some(1), "{sentence}");
+    assert_eq!(sentence.lines().count(), 1, "{sentence}");
+    let start = "host-sim: over budget: the worst tick takes ";
+    assert!(sentence.starts_with(start), "{sentence}");
+    assert!(
+        out.contains("instructions of 20,000 (Cortex-M4F, estimated"),
+        "{out}"
+    );
+    assert!(folder.0.join("here/summary.json").is_file());
+    let (code, out, _) = forage("instructions=1000k,ram=264KiB");
+    assert_eq!(code, Some(0));
+    assert!(
+        out.contains("instructions of 1,000,000") && out.contains("of 264 KiB"),
+        "{out}"
+    );
 }

@@ -8,7 +8,7 @@ use std::process::Command;
 
 use firmware_example::controller::{End, Heard, SafeStop, Wire, serve};
 use firmware_example::link::{Answer, Dropped, FRAME, Numbered, Order, Receiver, encode};
-use host_sim::experiment::mcu::board::{Build, Target};
+use host_sim::experiment::mcu::board::{Build, Target, section_bytes};
 use host_sim::experiment::mcu::distant::Distant;
 use host_sim::experiment::mcu::hil;
 
@@ -29,6 +29,20 @@ fn the_firmware_chooses_what_the_host_chooses_and_ends_up_knowing_the_same() {
     assert_eq!((life.choices, life.same), (1_400, 1_400));
     assert!(life.same_knowledge);
     assert!(life.round_trips > 2_800, "{life:?}");
+}
+
+#[test]
+fn a_log_changes_nothing_of_the_life() {
+    let build = Build {
+        features: "defmt",
+        ..Build::new(Target::M4f, "controller")
+    };
+    let logging = build.build().unwrap_or_else(|error| panic!("{error}"));
+    let words = section_bytes(&logging, ".defmt").expect("a program");
+    assert!(words > 20, "{words} formats are logged");
+    let life = hil::run(Target::M4f, &logging, 3, 200, 100).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((life.choices, life.same), (300, 300));
+    assert!(life.same_knowledge);
 }
 
 #[test]

@@ -9,6 +9,7 @@ use super::item::ItemId;
 /// assert!(ActionId(0) < ActionId(1));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ActionId(pub u16);
 
 /// The names of a robot's primitive items and actions, in the order of their ids.

@@ -5,9 +5,10 @@
 //! acts needs no bank.
 
 use super::action::ActionId;
+use super::cost::Cost;
 use super::sample::Sample;
 use crate::num::{Neighbourhood, Rng, Schedule};
-use crate::som::{BestMatch, BinarySom, Grid, NodeId, Prototypes, best_match};
+use crate::som::{BestMatch, BinarySom, Grid, NodeId, Prototypes, SparseStimulus, best_match};
 
 /// How Action SOMs are trained.
 ///
@@ -89,6 +90,7 @@ impl TrainingConfig {
 /// assert_ne!(Trained::Recruited, Trained::Adapted);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Trained {
     /// The winner and its neighbours moved towards the sample.
     Adapted,
@@ -103,6 +105,8 @@ pub enum Trained {
 pub(super) struct MapScratch<const WIDTH: usize, const HEIGHT: usize> {
     dots: Grid<f32, WIDTH, HEIGHT>,
     distances: Grid<f32, WIDTH, HEIGHT>,
+    /// What training has touched in this step.
+    cost: Cost,
 }
 
 /// The map of one action: a context half `M` and a result half `R`.
@@ -222,6 +226,7 @@ impl<
         self.samples = samples.saturating_add(1);
         let novel = |it: &Recruitment| samples >= it.after && best.squared_distance > it.vigilance;
         if config.recruitment.as_ref().is_some_and(novel) {
+            scratch.cost.moved = scratch.cost.moved.wrapping_add(2);
             return self.recruit(sample);
         }
         // Wins of a map that is still unfolding say nothing about what its nodes became.
@@ -232,7 +237,8 @@ impl<
         {
             self.count_win(best.node);
         }
-        self.adapt(sample, best.node, config, samples);
+        let reached = self.adapt(sample, best.node, config, samples);
+        scratch.cost.moved = scratch.cost.moved.wrapping_add(2 * reached);
         (Trained::Adapted, best.node)
     }
 
@@ -243,7 +249,15 @@ impl<
         result_weight: f32,
         scratch: &mut MapScratch<WIDTH, HEIGHT>,
     ) -> BestMatch {
-        let MapScratch { dots, distances } = scratch;
+        let MapScratch {
+            dots,
+            distances,
+            cost,
+        } = scratch;
+        let features = features_on(&sample.context()) + features_on(&sample.result());
+        let nodes = Grid::<f32, WIDTH, HEIGHT>::NODES as u32;
+        cost.units = cost.units.wrapping_add(2 * nodes);
+        cost.weights = cost.weights.wrapping_add(nodes * features);
         self.context
             .squared_distances(&sample.context(), dots, distances);
         self.result
@@ -251,7 +265,8 @@ impl<
         best_match(distances)
     }
 
-    /// Moves the winner and its neighbours towards the sample, the map's `samples`th.
+    /// Moves the winner and its neighbours towards the sample, the map's `samples`th; answers how
+    /// many nodes are within reach.
     #[inline(never)]
     fn adapt<const WORDS: usize>(
         &mut self,
@@ -259,7 +274,7 @@ impl<
         winner: NodeId,
         config: &TrainingConfig,
         samples: u32,
-    ) {
+    ) -> u32 {
         let mut near = Neighbourhood::winner_only();
         // Schedules and cut were validated with the configuration; a bad value moves the winner.
         let _ = near.widen(config.sigma.at(samples), config.cut);
@@ -272,6 +287,12 @@ impl<
             .train(&sample.context(), winner, alpha, &near, may_move);
         self.result
             .train(&sample.result(), winner, alpha, &near, may_move);
+        let (column, row) = self.wins.position(winner);
+        let reached = |at: usize, radius: usize, side: usize| {
+            (at + radius).min(side - 1) - at.saturating_sub(radius) + 1
+        };
+        let columns = reached(column, near.horizontal_radius(), WIDTH);
+        (columns * reached(row, near.vertical_radius(), HEIGHT)) as u32
     }
 
     /// Gives the sample the node with the fewest wins: a free one, or else a recruited one.
@@ -354,6 +375,7 @@ impl<
             scratch: MapScratch {
                 dots: Grid::filled(0.0),
                 distances: Grid::filled(0.0),
+                cost: Cost::NONE,
             },
         }
     }
@@ -394,6 +416,15 @@ impl<
         &self.maps
     }
 
+    /// What training has touched since [`forget_cost`](Self::forget_cost).
+    pub(super) const fn cost(&self) -> Cost {
+        self.scratch.cost
+    }
+
+    pub(super) const fn forget_cost(&mut self) {
+        self.scratch.cost = Cost::NONE;
+    }
+
     /// ‖x − m‖² of every node to the last trained sample, for checks of bit identity.
     #[must_use]
     pub const fn last_distances(&self) -> &Grid<f32, WIDTH, HEIGHT> {
@@ -407,6 +438,14 @@ impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, const ACTIONS:
     fn default() -> Self {
         Self::new()
     }
+}
+
+fn features_on(stimulus: &SparseStimulus<'_>) -> u32 {
+    let mut features = 0;
+    for word in stimulus.on.iter().chain(stimulus.minus) {
+        features += word.count_ones();
+    }
+    features
 }
 
 #[cfg(test)]

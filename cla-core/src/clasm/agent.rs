@@ -5,29 +5,21 @@
 //! results chooses.
 //! All memory is inside the value, all of it zero at first: a static agent costs no flash.
 
-use core::fmt;
-
 use super::action::ActionId;
-use super::action_som::{ActionSomBank, Trained};
+use super::action_som::ActionSomBank;
 use super::belief::SyntheticId;
 use super::choice::{ChoiceRule, Preference};
-use super::config::{AgentConfig, ConfigError};
+use super::config::{Adaptation, AgentConfig, ConfigError, Settings};
+use super::cost::Cost;
 use super::item::ItemStates;
-use super::knowledge::{KnowledgeBase, Outcome};
+use super::knowledge::KnowledgeBase;
 use super::sample::Sample;
 use super::schema::SchemaId;
 use super::second_level::{Fallback, Level2Config, SecondLevel};
+use super::step::{AgentError, Choice, Lesson, Level, Reason};
 use super::surprise::{Surprise, SurpriseConfig};
 use crate::num::Rng;
-
-/// A configuration, once there is one; like an `Option` whose `None` is zero, which an `Option`
-/// of something with a tag inside is not.
-#[repr(u8)]
-#[derive(Clone, Copy, Debug)]
-enum Settings {
-    Absent,
-    Present(AgentConfig),
-}
+use crate::som::{BinarySom, Prototypes};
 
 /// What an agent is doing with its life.
 ///
@@ -38,6 +30,7 @@ enum Settings {
 // With a tag of its own, so that `Unborn` is 0 and a static agent needs no initial data.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Stage {
     /// Not begun: it can neither choose nor learn.
     Unborn,
@@ -47,125 +40,12 @@ pub enum Stage {
     Acting(Adaptation),
 }
 
-/// What goes on learning while an agent acts (book, 6.3 and 7.1.1).
-///
-/// ```
-/// use cla_core::clasm::Adaptation;
-/// assert_ne!(Adaptation::Frozen, Adaptation::Reliabilities);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Adaptation {
-    /// Nothing.
-    Frozen,
-    /// Reliabilities and the values that follow from them: the book's recovery (6.3).
-    Reliabilities,
-    /// Maps and schemas too (7.1.1).
-    Relearning,
-}
-
-/// Why an action was chosen.
-///
-/// ```
-/// use cla_core::clasm::Reason;
-/// assert_ne!(Reason::Value, Reason::Exploration);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
-    /// It is the best by the rule.
-    Value,
-    /// Training asked for a random action.
-    Exploration,
-    /// No schema that promises anything applies: random.
-    NothingApplies,
-    /// Too long without reward: random.
-    Escape,
-}
-
-/// A level of the hierarchy of schemas.
-///
-/// ```
-/// use cla_core::clasm::Level;
-/// assert!(Level::One < Level::Two);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
-    /// Schemas of primitive items.
-    One,
-    /// Schemas with synthetic items.
-    Two,
-}
-
-/// A chosen action.
-///
-/// ```
-/// use cla_core::clasm::{ActionId, Choice, Reason};
-/// let it = Choice { action: ActionId(0), reason: Reason::Escape, level: None, schema: None, value: 0.0 };
-/// assert_eq!(it.schema, None);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choice {
-    /// What to do.
-    pub action: ActionId,
-    /// Why.
-    pub reason: Reason,
-    /// The level that decided; `None` for a random action.
-    pub level: Option<Level>,
-    /// The schema that speaks for it most, when the choice was by value.
-    pub schema: Option<SchemaId>,
-    /// The value that decided; 0 for a random action.
-    pub value: f32,
-}
-
-/// What one completed action taught.
-///
-/// ```
-/// let it = cla_core::clasm::Lesson::default();
-/// assert_eq!(it.reward, 0.0);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Lesson {
-    /// Inherent value of what is on now.
-    pub reward: f32,
-    /// How the predictions fared.
-    pub outcome: Outcome,
-    /// What the action's map did; `None` when maps are at rest.
-    pub trained: Option<Trained>,
-    /// Whether the maps were harvested.
-    pub harvested: bool,
-}
-
-/// A call out of turn; nothing has changed.
-///
-/// ```
-/// use cla_core::clasm::AgentError;
-/// assert_eq!(AgentError::NotBegun.to_string(), "the agent has not begun: call begin first");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AgentError {
-    /// [`Agent::begin`] was not called.
-    NotBegun,
-    /// [`Agent::learn`] without a [`Agent::choose`] before it.
-    NothingChosen,
-    /// The action is not one of the robot's.
-    NoSuchAction(ActionId),
-}
-
-impl fmt::Display for AgentError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotBegun => f.write_str("the agent has not begun: call begin first"),
-            Self::NothingChosen => f.write_str("no action is waiting for its result"),
-            Self::NoSuchAction(action) => write!(f, "the robot has no action {}", action.0),
-        }
-    }
-}
-
-impl core::error::Error for AgentError {}
-
 /// A learning controller in fixed memory; [`brain!`](crate::brain) names its nine capacities.
 ///
 /// Items in words and in number, the sides of the maps, actions, the capacities of the knowledge
 /// base and those of the second level, 0 for a brain of one level.
+/// `M` is what a map's weights are stored in: [`BinarySom`] for `f32`, [`ByteSom`](crate::som::ByteSom)
+/// for a byte each.
 ///
 /// ```
 /// use cla_core::clasm::{Agent, AgentConfig, ItemStates};
@@ -188,8 +68,9 @@ pub struct Agent<
     const SCHEMAS: usize,
     const SYNTHETIC: usize = 0,
     const BELIEFS: usize = 0,
+    M = BinarySom<WIDTH, HEIGHT, ITEMS>,
 > {
-    bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS>,
+    bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>,
     knowledge: KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
     level2: SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>,
     /// The item of the schema that has succeeded last, and the state that it led to.
@@ -220,9 +101,29 @@ impl<
     const BELIEFS: usize,
 > Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>
 {
-    /// An unborn agent of all-zero memory.
+    /// An unborn agent of all-zero memory, with maps of `f32` weights.
     #[must_use]
     pub const fn new() -> Self {
+        Self::zeroed()
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const WIDTH: usize,
+    const HEIGHT: usize,
+    const ACTIONS: usize,
+    const PATTERNS: usize,
+    const SCHEMAS: usize,
+    const SYNTHETIC: usize,
+    const BELIEFS: usize,
+    M: Prototypes<WIDTH, HEIGHT>,
+> Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS, M>
+{
+    /// As `new`, for weights of any kind.
+    #[must_use]
+    pub const fn zeroed() -> Self {
         const {
             assert!(ITEMS <= WORDS * 32, "an item needs a bit: 32 for each word");
             assert!(
@@ -231,7 +132,7 @@ impl<
             );
         }
         Self {
-            bank: ActionSomBank::new(),
+            bank: ActionSomBank::zeroed(),
             knowledge: KnowledgeBase::new(),
             level2: SecondLevel::new(),
             trace: None,
@@ -293,6 +194,7 @@ impl<
     #[inline(never)]
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
         let config = self.config()?;
+        self.begin_step();
         let explore = match self.stage {
             Stage::Training => self.explores(&config),
             Stage::Acting(_) | Stage::Unborn => false,
@@ -339,9 +241,10 @@ impl<
         if let Settings::Absent = self.config {
             return Err(AgentError::NotBegun);
         }
-        let action = self.chosen.take().ok_or(AgentError::NothingChosen)?;
+        let action = self.chosen.ok_or(AgentError::NothingChosen)?;
         let before = self.context;
         let lesson = self.observe(&before, action, now)?;
+        self.chosen = None;
         self.feel(lesson.reward > 0.0);
         self.since_reward = if lesson.reward > 0.0 {
             0
@@ -352,6 +255,8 @@ impl<
     }
 
     /// Learns from an action that the agent did not choose: a reflex, or a teacher's.
+    ///
+    /// Where no item was known, before and after, maps learn nothing.
     ///
     /// # Errors
     /// [`AgentError::NotBegun`] or [`AgentError::NoSuchAction`].
@@ -378,6 +283,10 @@ impl<
         if usize::from(action.0) >= ACTIONS {
             return Err(AgentError::NoSuchAction(action));
         }
+        // What is observed while a choice waits for its result belongs to that step.
+        if self.chosen.is_none() {
+            self.begin_step();
+        }
         let mut lesson = Lesson {
             reward: self.knowledge.reward(after),
             ..Lesson::default()
@@ -398,7 +307,9 @@ impl<
         if frozen {
             return Ok(lesson);
         }
-        if self.stage != Stage::Acting(Adaptation::Reliabilities) {
+        // A map would count a win for what nobody saw.
+        let blind = before.known().is_empty() && after.known().is_empty();
+        if self.stage != Stage::Acting(Adaptation::Reliabilities) && !blind {
             let sample = Sample::new(before, after, coding, ITEMS as u16);
             if let Settings::Present(config) = &self.config {
                 lesson.trained = self.bank.train(action, &sample, &config.training);
@@ -479,6 +390,36 @@ impl<
         Ok(())
     }
 
+    /// What the last control step has touched.
+    ///
+    /// A step begins with [`choose`](Self::choose), and goes on until the next one; an observation
+    /// with no choice before it is a step of its own.
+    /// Harvests, and weighing the evidence in a doubt, are left out.
+    ///
+    /// ```
+    /// use cla_core::clasm::{Agent, AgentConfig, ItemStates};
+    /// let mut agent = Box::new(Agent::<1, 7, 8, 8, 6, 64, 256, 0, 0>::new());
+    /// agent.begin(AgentConfig::FORAGER, 1)?;
+    /// let now = ItemStates::all_off(7);
+    /// agent.choose(&now)?;
+    /// agent.learn(&now)?;
+    /// assert_eq!(agent.cost().units, 2 * 64);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn cost(&self) -> Cost {
+        let mut cost = self.knowledge.cost;
+        cost.add(&self.bank.cost());
+        cost.add(&self.level2.table.cost);
+        cost
+    }
+
+    fn begin_step(&mut self) {
+        self.knowledge.cost = Cost::NONE;
+        self.level2.table.cost = Cost::NONE;
+        self.bank.forget_cost();
+    }
+
     /// Goes on with another configuration; what has been learned stays.
     ///
     /// This is how a second level begins: the book trains level 1 alone first (6.2.4).
@@ -516,7 +457,7 @@ impl<
 
     /// The maps.
     #[must_use]
-    pub const fn bank(&self) -> &ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS> {
+    pub const fn bank(&self) -> &ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M> {
         &self.bank
     }
 
@@ -666,8 +607,11 @@ impl<
         if self.surprise.weighs()
             && let Settings::Present(config) = &self.config
         {
+            // Like a harvest, it comes now and then and is no part of a tick.
+            let cost = self.knowledge.cost;
             self.knowledge.weigh::<ACTIONS>(&surprise, &config.values);
             self.level2.doubt(&self.knowledge);
+            self.knowledge.cost = cost;
         }
         if !self.surprise.doubts() && doubted {
             self.knowledge.end_doubt();
@@ -711,10 +655,12 @@ impl<
     const SCHEMAS: usize,
     const SYNTHETIC: usize,
     const BELIEFS: usize,
-> Default for Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>
+    M: Prototypes<WIDTH, HEIGHT>,
+> Default
+    for Agent<WORDS, ITEMS, WIDTH, HEIGHT, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS, M>
 {
     fn default() -> Self {
-        Self::new()
+        Self::zeroed()
     }
 }
 

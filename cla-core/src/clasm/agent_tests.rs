@@ -83,6 +83,34 @@ fn the_same_seed_gives_the_same_life_and_another_seed_another() {
 }
 
 #[test]
+fn every_step_says_what_it_has_touched_and_begins_at_nothing() {
+    let (mut agent, mut world) = (walker(AgentConfig::FORAGER, 5), Corridor(0));
+    live(&mut agent, &mut world, 700);
+    let patterns = u32::from(agent.knowledge().patterns());
+    let before = world.sense();
+    let action = agent.choose(&before).unwrap().action;
+    let chosen = agent.cost();
+    assert_eq!((chosen.units, chosen.moved), (0, 0));
+    world.act(action);
+    agent.learn(&world.sense()).unwrap();
+    let whole = agent.cost();
+    // Two halves of a map of 36 nodes, and one item on in each.
+    assert_eq!((whole.units, whole.weights), (72, 72));
+    assert!(whole.moved >= 2, "{whole:?}");
+    // Once for what came of it, once for each value.
+    let looks = 1 + u32::from(AgentConfig::FORAGER.values_per_step);
+    assert_eq!(whole.patterns, chosen.patterns + looks * patterns);
+    assert!(whole.schemas > chosen.schemas);
+    // A reflex is a step of its own.
+    agent.observe(&before, action, &world.sense()).unwrap();
+    assert_eq!(agent.cost().patterns, looks * patterns);
+    agent.act(Adaptation::Frozen).unwrap();
+    agent.choose(&before).unwrap();
+    agent.learn(&world.sense()).unwrap();
+    assert_eq!(agent.cost().units, 0);
+}
+
+#[test]
 fn calls_out_of_turn_are_refused_and_change_nothing() {
     let mut agent = Box::new(Walker::new());
     let now = Corridor(0).sense();
@@ -235,6 +263,77 @@ fn schemas_are_written_in_the_books_notation() {
         text.display(&WORDS, Detail::Abbreviated).to_string() == "+c/on/+gold"
     });
     assert!(found);
+}
+
+/// The corridor with a lamp that is always on, and a sensor that reads NaN.
+type Distracted = super::Agent<1, 6, 6, 6, 2, 64, 256, 0, 0>;
+
+fn distracted(world: &Corridor) -> ItemStates<1> {
+    let mut now = world.sense();
+    now.set_above(ItemId(4), 1.0, 0.5).unwrap();
+    now.set_above(ItemId(5), f32::NAN, 0.5).unwrap();
+    now
+}
+
+#[test]
+fn an_item_that_never_varies_and_a_sensor_that_always_fails_are_no_obstacle() {
+    let (mut agent, mut world) = (Box::new(Distracted::new()), Corridor(0));
+    agent.begin(AgentConfig::FORAGER, 3).unwrap();
+    agent
+        .knowledge_mut()
+        .set_inherent_value(ItemId(3), 10.0)
+        .unwrap();
+    let mut rewards = 0;
+    for step in 0..2400 {
+        if step == 2000 {
+            agent.act(Adaptation::Frozen).unwrap();
+            (world.0, rewards) = (0, 0);
+        }
+        let choice = agent.choose(&distracted(&world)).unwrap();
+        world.act(choice.action);
+        let lesson = agent.learn(&distracted(&world)).unwrap();
+        rewards += u32::from(lesson.reward > 0.0);
+    }
+    assert_eq!(rewards, 100);
+    // What nobody knows stands in no schema.
+    for schema in agent.knowledge().schemas() {
+        for pattern in [schema.context, schema.result] {
+            let items = agent.knowledge().pattern(pattern).unwrap();
+            assert!(!items.positive().contains(ItemId(5)) && !items.negative().contains(ItemId(5)));
+        }
+    }
+}
+
+#[test]
+fn sensors_that_fail_for_a_while_take_nothing_that_was_learned() {
+    for adaptation in [Adaptation::Reliabilities, Adaptation::Relearning] {
+        let config = AgentConfig {
+            escape: None,
+            ..AgentConfig::FORAGER
+        };
+        let (mut agent, mut world) = (walker(config, 3), Corridor(0));
+        live(&mut agent, &mut world, 2000);
+        agent.act(adaptation).unwrap();
+        let before = agent.knowledge().clone();
+        for _ in 0..300 {
+            let choice = agent.choose(&ItemStates::UNKNOWN).unwrap();
+            assert_eq!(choice.reason, Reason::NothingApplies);
+            world.act(choice.action);
+            let lesson = agent.learn(&ItemStates::UNKNOWN).unwrap();
+            assert_eq!((lesson.reward, lesson.outcome.activated), (0.0, 0));
+        }
+        let records = |schemas: &[crate::clasm::Schema]| -> std::vec::Vec<_> {
+            let record = |it: &crate::clasm::Schema| (it.context, it.action, it.reliability);
+            schemas.iter().map(record).collect()
+        };
+        assert_eq!(
+            records(agent.knowledge().schemas()),
+            records(before.schemas()),
+            "{adaptation:?}"
+        );
+        world.0 = 0;
+        assert_eq!(live(&mut agent, &mut world, 400), 100, "{adaptation:?}");
+    }
 }
 
 /// A door that opens by `press` only right after `pull`, and looks the same before and after that.

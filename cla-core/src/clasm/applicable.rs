@@ -18,6 +18,8 @@ pub(super) struct Applicable<'a, const WORDS: usize> {
     next: usize,
     /// Whether more than one context holds.
     several: bool,
+    /// Schemas answered so far.
+    seen: u32,
     others: &'a mut Others<WORDS>,
 }
 
@@ -42,7 +44,13 @@ impl<const WORDS: usize> Applicable<'_, WORDS> {
         if self.several {
             self.next = self.others.next(knowledge, index, self.next);
         }
+        self.seen += 1;
         Some(index)
+    }
+
+    /// How many schemas were answered.
+    pub(super) const fn seen(&self) -> usize {
+        self.seen as usize
     }
 }
 
@@ -80,16 +88,29 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     /// The schemas whose context holds in `state`; `others` is work memory.
     #[inline(always)]
     pub(super) fn applicable<'a>(
-        &self,
+        &mut self,
         state: &ItemStates<WORDS>,
         others: &'a mut Others<WORDS>,
     ) -> Applicable<'a, WORDS> {
+        self.count_look();
         let (next, several) = self.first_applicable(state, others);
         Applicable {
             next: usize::from(next),
             several,
+            seen: 0,
             others,
         }
+    }
+
+    /// Counts that all conjunctions are held against a state.
+    pub(super) fn count_look(&mut self) {
+        let patterns = self.patterns.len() as u32;
+        self.cost.patterns = self.cost.patterns.wrapping_add(patterns);
+    }
+
+    /// Counts schemas that are gone through.
+    pub(super) fn count_schemas(&mut self, schemas: usize) {
+        self.cost.schemas = self.cost.schemas.wrapping_add(schemas as u32);
     }
 
     /// The first schema that applies, and whether `others` has to be looked at for the next ones.

@@ -7,6 +7,7 @@
 //! become a belief when that trace comes again: from the past alone.
 
 use super::action::ActionId;
+use super::cost::Cost;
 use super::ordered::{insert, remove};
 use super::schema::SchemaId;
 
@@ -17,6 +18,7 @@ use super::schema::SchemaId;
 /// assert!(SyntheticId(0) < SyntheticId(1));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SyntheticId(pub u16);
 
 /// How often `item` was on right after `trace` had succeeded.
@@ -45,6 +47,8 @@ pub(super) struct Row<const ACTIONS: usize> {
     pub(super) value: f32,
     /// The discounted reward that has really followed, on average.
     pub(super) experienced: f32,
+    /// What that is worth a step before: kept, because it is read more often than it changes.
+    pub(super) then: f32,
     /// How often its schema has succeeded.
     pub(super) visits: f32,
     /// How much a surprise now still concerns it; it fades with time.
@@ -59,6 +63,7 @@ pub(super) struct Row<const ACTIONS: usize> {
 /// assert_eq!(cla_core::clasm::BeliefLosses::default().refused_items, 0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BeliefLosses {
     /// Items that were hardly used and made room for new ones.
     pub evicted_items: u32,
@@ -75,6 +80,8 @@ pub(super) struct BeliefTable<const ACTIONS: usize, const ITEMS: usize, const BE
     /// In ascending order of (trace, item).
     beliefs: heapless::Vec<Belief, BELIEFS, u16>,
     pub(super) losses: BeliefLosses,
+    /// Items and beliefs gone through in this step.
+    pub(super) cost: Cost,
 }
 
 /// Uses up to which an item gives way to a new one when all rows are taken.
@@ -98,6 +105,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                 refused_items: 0,
                 evicted_beliefs: 0,
             },
+            cost: Cost::NONE,
         }
     }
 
@@ -119,6 +127,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
             action,
             value,
             experienced: value,
+            then: 0.0,
             visits: 0.0,
             eligibility: 0.0,
             tried: [0.0; ACTIONS],
@@ -126,6 +135,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
         if self.rows.push(row).is_ok() {
             return Some(SyntheticId(self.rows.len() as u16 - 1));
         }
+        self.cost.items = self.cost.items.wrapping_add(self.rows.len() as u32);
         let mut least: Option<(f32, usize)> = None;
         for (index, row) in self.rows.iter().enumerate() {
             let uses = if row.schema.is_some() {
@@ -143,6 +153,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                     self.losses.evicted_items = self.losses.evicted_items.saturating_add(1);
                 }
                 let id = SyntheticId(index as u16);
+                self.count_beliefs(self.beliefs.len());
                 self.free(id);
                 *self.rows.get_mut(index)? = row;
                 Some(id)
@@ -216,6 +227,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
     /// Lets the beliefs about one action after a trace count for less: `share` in `[0, 1]`.
     fn weaken(&mut self, trace: SyntheticId, action: ActionId, share: f32) {
         let range = self.range(trace);
+        self.count_beliefs(range.len());
         let Self { rows, beliefs, .. } = self;
         for belief in beliefs.get_mut(range).unwrap_or_default() {
             let row = rows.get(usize::from(belief.item.0));
@@ -243,6 +255,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                 }
             }
             Err(index) => {
+                self.count_beliefs(self.beliefs.len() - index);
                 let new = Belief {
                     trace,
                     item,
@@ -259,7 +272,13 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
         }
     }
 
+    /// Counts beliefs that are gone through or moved.
+    fn count_beliefs(&mut self, beliefs: usize) {
+        self.cost.beliefs = self.cost.beliefs.wrapping_add(beliefs as u32);
+    }
+
     fn drop_weakest(&mut self) {
+        self.count_beliefs(2 * self.beliefs.len());
         let mut least: Option<(f32, usize)> = None;
         for (index, belief) in self.beliefs.iter().enumerate() {
             if least.is_none_or(|(other, _)| belief.on < other) {

@@ -10,6 +10,9 @@
 ///   sets the inherent values;
 /// - `RAM`, the bytes that it costs, all of them in `.bss`.
 ///
+/// A map's weight takes four bytes, or one with `maps: 6 x 6 of bytes`, which is for parts that are
+/// small or have no floating-point unit: a numerics of its own, with the same bits everywhere.
+///
 /// A brain larger than its `ram` does not compile:
 ///
 /// ```compile_fail
@@ -51,13 +54,19 @@
 /// ```
 #[macro_export]
 macro_rules! brain {
+    (@map $width:literal, $height:literal) => {
+        $crate::som::BinarySom<$width, $height, { ITEMS.len() }>
+    };
+    (@map $width:literal, $height:literal, bytes) => {
+        $crate::som::ByteSom<$width, $height, { ITEMS.len() }>
+    };
     (
         $(#[$meta:meta])*
         $visibility:vis mod $name:ident {
             items: [$($item:ident),+ $(,)?],
             actions: [$($action:ident),+ $(,)?],
             values: [$($valued:ident = $value:expr),+ $(,)?],
-            maps: $width:literal x $height:literal,
+            maps: $width:literal x $height:literal $(of $weights:ident)?,
             patterns: $patterns:expr,
             schemas: $schemas:expr,
             $(synthetic: $synthetic:expr,
@@ -133,6 +142,7 @@ macro_rules! brain {
                 $schemas,
                 { 0 $(+ $synthetic)? },
                 { 0 $(+ $beliefs)? },
+                $crate::brain!(@map $width, $height $(, $weights)?),
             >;
 
             /// Bytes of static memory that a brain takes.
@@ -143,7 +153,7 @@ macro_rules! brain {
             /// A brain before its birth: all memory zero.
             #[must_use]
             pub const fn brain() -> Brain {
-                Brain::new()
+                Brain::zeroed()
             }
 
             /// Begins a brain's life and says what is valuable.

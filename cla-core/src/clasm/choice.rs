@@ -115,7 +115,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 
     /// Of the schemas that apply in `state`, the most reliable for an action; of equals the first.
     pub(super) fn most_reliable_applicable(
-        &self,
+        &mut self,
         state: &ItemStates<WORDS>,
         action: ActionId,
         config: &ValueConfig,
@@ -133,6 +133,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 }
             }
         }
+        self.count_schemas(applicable.seen());
         best.map(|(_, schema)| schema)
     }
 }

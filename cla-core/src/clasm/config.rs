@@ -49,6 +49,23 @@ pub struct AgentConfig {
     pub level2: Option<Level2Config>,
 }
 
+/// What goes on learning while an agent acts (book, 6.3 and 7.1.1).
+///
+/// ```
+/// use cla_core::clasm::Adaptation;
+/// assert_ne!(Adaptation::Frozen, Adaptation::Reliabilities);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Adaptation {
+    /// Nothing.
+    Frozen,
+    /// Reliabilities and the values that follow from them: the book's recovery (6.3).
+    Reliabilities,
+    /// Maps and schemas too (7.1.1).
+    Relearning,
+}
+
 /// Random actions after a long time without reward.
 ///
 /// The same coarse percept can hide different places, and a deterministic choice repeats itself.
@@ -65,6 +82,15 @@ pub struct Escape {
     pub burst: u16,
 }
 
+/// A configuration, once there is one; like an `Option` whose `None` is zero, which an `Option`
+/// of something with a tag inside is not.
+#[repr(u8)]
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Settings {
+    Absent,
+    Present(AgentConfig),
+}
+
 /// A configuration that cannot work.
 ///
 /// ```
@@ -73,6 +99,7 @@ pub struct Escape {
 /// assert_eq!(config.check(), Err(ConfigError::GreedyShare));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum ConfigError {
     /// `greedy_share` is outside `[0, 1]` or NaN.
     GreedyShare,

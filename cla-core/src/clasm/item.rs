@@ -15,10 +15,12 @@ use crate::som::Ones;
 /// assert!(ItemId(2) < ItemId(3));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ItemId(pub u16);
 
 /// An item does not fit a set's capacity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ItemOutOfRange {
     /// The item that does not fit.
     pub item: ItemId,
@@ -272,6 +274,36 @@ impl<const WORDS: usize> ItemStates<WORDS> {
             self.off.remove(item);
         }
         Ok(())
+    }
+
+    /// Sets an item from a sensor's reading: on above `threshold`, off at it and below, unknown when
+    /// the reading (or the threshold) is NaN; answers what it was set to.
+    ///
+    /// A broken sensor says nothing, so it must not say *off*: what is unknown is left out of maps,
+    /// satisfies no context and settles no prediction, and what was learned stays as it was.
+    /// Count the `None`s: they are the sensor's failures.
+    ///
+    /// ```
+    /// use cla_core::clasm::{ItemId, ItemStates};
+    /// let mut now = ItemStates::<1>::all_off(2);
+    /// assert_eq!(now.set_above(ItemId(0), 0.8, 0.5), Ok(Some(true)));
+    /// assert_eq!(now.set_above(ItemId(1), f32::NAN, 0.5), Ok(None));
+    /// assert_eq!((now.get(ItemId(0)), now.get(ItemId(1))), (Some(true), None));
+    /// ```
+    ///
+    /// # Errors
+    /// [`ItemOutOfRange`] when the item does not fit; the states are unchanged.
+    pub fn set_above(
+        &mut self,
+        item: ItemId,
+        reading: f32,
+        threshold: f32,
+    ) -> Result<Option<bool>, ItemOutOfRange> {
+        let state = reading
+            .partial_cmp(&threshold)
+            .map(core::cmp::Ordering::is_gt);
+        self.set(item, state)?;
+        Ok(state)
     }
 
     /// The state of an item; unknown when it is outside the capacity.

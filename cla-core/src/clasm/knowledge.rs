@@ -6,6 +6,7 @@
 use super::action::ActionId;
 use super::action_som::ActionSom;
 use super::applicable::Others;
+use super::cost::Cost;
 use super::harvest::{HarvestConfig, HarvestedNode, harvest_node};
 use super::item::{ItemSet, ItemStates};
 use super::notation::SchemaText;
@@ -21,6 +22,8 @@ pub(super) struct Pattern<const WORDS: usize> {
     pub(super) items: SignedItems<WORDS>,
     /// Expected discounted value of acting well from here (see `value`).
     pub(super) value: f32,
+    /// That value times the discount: kept, because it is read more often than it changes.
+    pub(super) then: f32,
     /// The first schema of which it is the context (see `applicable`).
     pub(super) first: u16,
     /// Whether it held in the state that was looked at last.
@@ -34,6 +37,7 @@ pub(super) struct Pattern<const WORDS: usize> {
 /// assert_eq!(KnowledgeBase::<1, 8, 8>::new().losses().refused_schemas, 0);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Losses {
     /// Schemas with the fewest successes that made room for better supported ones.
     pub evicted_schemas: u32,
@@ -49,6 +53,7 @@ pub struct Losses {
 /// assert!(!cla_core::clasm::Outcome::default().foreseen());
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Outcome {
     /// Schemas that were applicable and whose result could be checked.
     pub activated: u16,
@@ -88,9 +93,13 @@ pub struct KnowledgeBase<const WORDS: usize, const PATTERNS: usize, const SCHEMA
     /// The items whose inherent value is not 0.
     pub(super) valued: ItemSet<WORDS>,
     pub(super) deferred: [[f32; 32]; WORDS],
+    /// The discount by which the patterns' `then` was computed.
+    pub(super) discount: f32,
     /// The pattern whose value is computed next.
     pub(super) next_value: u16,
     losses: Losses,
+    /// Schemas, and beliefs about them, gone through in this step.
+    pub(super) cost: Cost,
 }
 
 /// What a new schema finds when the table is full.
@@ -108,6 +117,7 @@ enum WhenFull {
 /// assert_eq!(cla_core::clasm::TableFull.to_string(), "the schema tables are full");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TableFull;
 
 impl core::fmt::Display for TableFull {
@@ -140,12 +150,14 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             inherent: [[0.0; 32]; WORDS],
             valued: ItemSet::EMPTY,
             deferred: [[0.0; 32]; WORDS],
+            discount: 0.0,
             next_value: 0,
             losses: Losses {
                 evicted_schemas: 0,
                 refused_schemas: 0,
                 refused_patterns: 0,
             },
+            cost: Cost::NONE,
         }
     }
 
@@ -317,11 +329,15 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 outcome.schema = Some(SchemaId(index as u16));
             }
         }
+        self.count_schemas(applicable.seen());
         outcome
     }
 
-    /// Notes for every conjunction whether it holds in `state`.
+    /// Notes for every conjunction whether it holds in `state`, and counts that all schemas are then
+    /// gone through.
     pub(super) fn look_at(&mut self, state: &ItemStates<WORDS>) {
+        self.count_look();
+        self.count_schemas(self.schemas.len());
         for pattern in &mut self.patterns {
             pattern.holds = pattern.items.holds_in(state);
         }
@@ -446,6 +462,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         let new = Pattern {
             items: *items,
             value: 0.0,
+            then: 0.0,
             first: NONE,
             holds: false,
         };

@@ -61,11 +61,17 @@ impl Reliability {
         }
         self.activations += 1;
         self.successes += u32::from(success);
-        let share = 1.0 / self.activations as f32;
-        let step = if share > forgetting {
-            share
-        } else {
+        let trials = self.activations as f32;
+        let step = if trials * forgetting > 1.01 {
+            // The share is below, whatever the rounding: no division.
             forgetting
+        } else {
+            let share = 1.0 / trials;
+            if share > forgetting {
+                share
+            } else {
+                forgetting
+            }
         };
         let outcome = if success { 1.0 } else { 0.0 };
         self.recent += step * (outcome - self.recent);

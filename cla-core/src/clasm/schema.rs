@@ -12,6 +12,7 @@ use super::surprise::Doubt;
 /// assert!(PatternId(0) < PatternId(1));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PatternId(pub u16);
 
 /// The index of a schema in a knowledge base; valid until the next harvest.
@@ -21,6 +22,7 @@ pub struct PatternId(pub u16);
 /// assert!(SchemaId(0) < SchemaId(1));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SchemaId(pub u16);
 
 /// A prediction: if the context holds and the action is done, the result is expected.

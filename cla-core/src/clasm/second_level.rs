@@ -8,7 +8,7 @@
 
 use super::action::ActionId;
 use super::applicable::Others;
-use super::belief::{Belief, BeliefLosses, BeliefTable, SyntheticId, uses};
+use super::belief::{Belief, BeliefLosses, BeliefTable, Row, SyntheticId, uses};
 use super::choice::Preference;
 use super::item::ItemStates;
 use super::knowledge::KnowledgeBase;
@@ -94,6 +94,32 @@ const FAST: f32 = 0.02;
 /// Eligibility below which a state no longer feels a reward.
 const FELT: f32 = 0.01;
 
+/// How what follows counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Rates {
+    discount: f32,
+    experience: f32,
+}
+
+impl Rates {
+    const NONE: Self = Self {
+        discount: 0.0,
+        experience: 0.0,
+    };
+
+    const fn of(values: &ValueConfig, config: &Level2Config) -> Self {
+        Self {
+            discount: values.discount,
+            experience: config.experience,
+        }
+    }
+
+    /// The discounted value of the state after the success of a row's schema.
+    fn then<const ACTIONS: usize>(&self, row: &Row<ACTIONS>) -> f32 {
+        self.discount * (row.value + self.experience * (row.experienced - row.value))
+    }
+}
+
 /// The second level of a brain: `SYNTHETIC` items and `BELIEFS` counters.
 ///
 /// It reads the knowledge base of the first level and changes nothing there but the mark which
@@ -107,6 +133,8 @@ const FELT: f32 = 0.01;
 #[derive(Clone, Debug, PartialEq)]
 pub struct SecondLevel<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize> {
     pub(super) table: BeliefTable<ACTIONS, SYNTHETIC, BELIEFS>,
+    /// By which discount and share of experience the rows' `then` was computed.
+    rates: Rates,
     /// The item whose value is computed next.
     next_value: u16,
     /// Shares of right predictions: since the beginning, slowly and quickly forgetting.
@@ -123,6 +151,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
     pub const fn new() -> Self {
         Self {
             table: BeliefTable::new(),
+            rates: Rates::NONE,
             next_value: 0,
             predictions: Reliability::ZERO,
             slow: 0.0,
@@ -217,6 +246,11 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         let result = knowledge.patterns.get(usize::from(schema.result.0));
         let value = result.map_or(0.0, |pattern| pattern.value);
         let item = self.table.add(id, schema.action, value)?;
+        let rates = self.rates;
+        if let Some(row) = self.table.rows.get_mut(usize::from(item.0)) {
+            row.then = rates.then(row);
+        }
+        knowledge.count_schemas(knowledge.schemas.len());
         for (index, schema) in knowledge.schemas.iter_mut().enumerate() {
             if index == usize::from(id.0) {
                 schema.set_synthetic(Some(item));
@@ -272,6 +306,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
     pub(super) fn forget_experience(&mut self) {
         for row in &mut self.table.rows {
             row.experienced = row.value;
+            row.then = self.rates.then(row);
             row.visits = 0.0;
             row.eligibility = 0.0;
         }
@@ -291,7 +326,10 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             return;
         };
         let surprise = reward + discount * after.experienced - before.experienced;
+        let mut felt = 0;
         let fading = discount * config.lambda;
+        // From so many visits on a visit's share is below the learning rate, whatever the rounding.
+        let many = 1.01 / config.learning_rate;
         for (index, row) in self.table.rows.iter_mut().enumerate() {
             if index == usize::from(from.0) {
                 row.eligibility = 1.0;
@@ -302,18 +340,29 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             } else {
                 row.eligibility *= fading;
             }
-            if row.eligibility < FELT {
+            felt += 1;
+            // Here and below: the bits of positive floats are in their order.
+            if row.eligibility.to_bits() < FELT.to_bits() {
                 row.eligibility = 0.0;
                 continue;
             }
-            let share = 1.0 / if row.visits > 1.0 { row.visits } else { 1.0 };
-            let step = if share > config.learning_rate {
-                share
-            } else {
+            let step = if row.visits.to_bits() <= 1.0_f32.to_bits() {
+                1.0
+            } else if row.visits.to_bits() > many.to_bits() {
                 config.learning_rate
+            } else {
+                let share = 1.0 / row.visits;
+                if share > config.learning_rate {
+                    share
+                } else {
+                    config.learning_rate
+                }
             };
             row.experienced += step * row.eligibility * surprise;
+            row.then = self.rates.then(row);
         }
+        let cost = &mut self.table.cost;
+        cost.items = cost.items.wrapping_add(felt);
     }
 
     /// After a harvest: follows schemas that moved and drops the items of those that left.
@@ -347,36 +396,49 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         trace: SyntheticId,
         values: &ValueConfig,
         config: &Level2Config,
-    ) -> [Appraisal; ACTIONS] {
-        let mut appraisals = [Appraisal::default(); ACTIONS];
+    ) -> [f32; ACTIONS] {
+        let rates = Rates::of(values, config);
+        // What rows and patterns keep is true unless the configuration has just changed.
+        let kept = rates == self.rates && rates.discount == knowledge.discount;
+        let rates = (rates, kept);
+        let mut level1 = [Appraisal::default(); ACTIONS];
         let mut others = Others::none();
         let mut applicable = knowledge.applicable(state, &mut others);
         while let Some(index) = applicable.next(knowledge) {
             if let Some(schema) = knowledge.schemas.get(index)
-                && let Some(appraisal) = appraisals.get_mut(usize::from(schema.action.0))
+                && let Some(appraisal) = level1.get_mut(usize::from(schema.action.0))
             {
                 let p = schema.reliability.value(values.estimate);
-                appraisal.value += p * self.worth(knowledge, schema, values, config);
+                appraisal.value += p * self.worth(knowledge, schema, rates);
                 appraisal.reliability += p;
-                appraisal.applicable = true;
             }
         }
-        let tried = self
-            .table
-            .row(trace)
-            .map_or([0.0; ACTIONS], |row| row.tried);
-        for (appraisal, tried) in appraisals.iter_mut().zip(tried) {
-            // What level 1 leaves open it says in the proportions of what it does not.
-            let total = if appraisal.reliability > 0.0 {
-                appraisal.reliability
-            } else {
-                1.0
-            };
-            let share = config.prior / (tried + config.prior) / total;
-            appraisal.value *= share;
-            appraisal.reliability *= share;
+        knowledge.count_schemas(applicable.seen());
+        // Occasions that count, those of level 1 among them.
+        let mut occasions = [config.prior; ACTIONS];
+        if let Some(row) = self.table.row(trace) {
+            for (occasions, tried) in occasions.iter_mut().zip(row.tried) {
+                *occasions = tried + config.prior;
+            }
         }
-        for belief in self.table.after(trace) {
+        let mut expected = [0.0; ACTIONS];
+        for ((expected, level1), occasions) in expected.iter_mut().zip(level1).zip(occasions) {
+            // Nothing applies, or nothing that ever succeeded.
+            if level1.reliability.to_bits() == 0 {
+                continue;
+            }
+            // What level 1 leaves open it says in the proportions of what it does not; where
+            // nothing was tried that is all, without a division.
+            let left = if occasions.to_bits() == config.prior.to_bits() {
+                1.0
+            } else {
+                config.prior / occasions
+            };
+            *expected = level1.value * (left / level1.reliability);
+        }
+        let after = self.table.after(trace);
+        knowledge.cost.beliefs = knowledge.cost.beliefs.wrapping_add(after.len() as u32);
+        for belief in after {
             let Some(row) = self.table.row(belief.item) else {
                 continue;
             };
@@ -384,20 +446,16 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
                 .schema
                 .and_then(|id| knowledge.schemas.get(usize::from(id.0)));
             let action = usize::from(row.action.0);
-            let (Some(schema), Some(appraisal), Some(tried)) =
-                (schema, appraisals.get_mut(action), tried.get(action))
+            let (Some(schema), Some(expected), Some(occasions)) =
+                (schema, expected.get_mut(action), occasions.get(action))
             else {
                 continue;
             };
-            if schema.synthetic() != Some(belief.item) {
-                continue;
+            if schema.synthetic() == Some(belief.item) {
+                *expected += belief.on / occasions * self.worth(knowledge, schema, rates);
             }
-            let p = belief.on / (tried + config.prior);
-            appraisal.value += p * self.worth(knowledge, schema, values, config);
-            appraisal.reliability += p;
-            appraisal.applicable = true;
         }
-        appraisals
+        expected
     }
 
     /// What it is worth that a schema succeeds: its result's own value, and what follows.
@@ -405,17 +463,23 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         &self,
         knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
         schema: &Schema,
-        values: &ValueConfig,
-        config: &Level2Config,
+        (rates, kept): (Rates, bool),
     ) -> f32 {
         let Some(result) = knowledge.patterns.get(usize::from(schema.result.0)) else {
             return 0.0;
         };
         let row = schema.synthetic().and_then(|item| self.table.row(item));
-        let then = row.map_or(result.value, |row| {
-            row.value + config.experience * (row.experienced - row.value)
-        });
-        knowledge.with_inherent(values.discount * then, &result.items)
+        debug_assert!(
+            !kept || row.is_none_or(|row| row.then == rates.then(row)),
+            "a row changed and its worth a step before did not"
+        );
+        let then = match row {
+            Some(row) if kept => row.then,
+            Some(row) => rates.then(row),
+            None if kept => result.then,
+            None => rates.discount * result.value,
+        };
+        knowledge.with_inherent(then, &result.items)
     }
 
     /// The best action in `state` after `trace`, or `None` when none promises anything.
@@ -427,14 +491,14 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         values: &ValueConfig,
         config: &Level2Config,
     ) -> Option<Preference> {
-        let appraisals = self.expected_values(knowledge, state, trace, values, config);
+        let expected = self.expected_values(knowledge, state, trace, values, config);
         let mut best: Option<Preference> = None;
-        for (action, appraisal) in appraisals.iter().enumerate() {
-            if appraisal.value > best.map_or(0.0, |other| other.value) {
+        for (action, &value) in expected.iter().enumerate() {
+            if value > best.map_or(0.0, |other| other.value) {
                 best = Some(Preference {
                     action: ActionId(action as u16),
                     schema: None,
-                    value: appraisal.value,
+                    value,
                 });
             }
         }
@@ -491,6 +555,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         values: &ValueConfig,
         config: &Level2Config,
     ) {
+        self.follow_rates(Rates::of(values, config));
         let Some(row) = self.table.row(item) else {
             return;
         };
@@ -505,13 +570,24 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         };
         let state = state_of(&result);
         let mut best = 0.0;
-        for appraisal in self.expected_values(knowledge, &state, item, values, config) {
-            if appraisal.value > best {
-                best = appraisal.value;
+        for value in self.expected_values(knowledge, &state, item, values, config) {
+            if value > best {
+                best = value;
             }
         }
         if let Some(row) = self.table.rows.get_mut(usize::from(item.0)) {
             row.value = best;
+            row.then = self.rates.then(row);
+        }
+    }
+
+    /// Brings what the rows keep up to date after a change of configuration.
+    fn follow_rates(&mut self, rates: Rates) {
+        if self.rates != rates {
+            self.rates = rates;
+            for row in &mut self.table.rows {
+                row.then = rates.then(row);
+            }
         }
     }
 

@@ -68,6 +68,7 @@ impl ValueConfig {
 /// assert_eq!(knowledge.set_inherent_value(ItemId(99), 1.0), Err(InherentValueError::NoSuchItem));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InherentValueError {
     /// The value is NaN or infinite.
     NotFinite,
@@ -280,6 +281,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     /// Each is one look at the tables: call it every control step with a small count, and values
     /// follow the reliabilities at a bounded cost.
     pub fn improve_values<const ACTIONS: usize>(&mut self, count: u16, config: &ValueConfig) {
+        self.follow_discount(config.discount);
         for _ in 0..count {
             if usize::from(self.next_value) >= self.patterns.len() {
                 self.next_value = 0;
@@ -297,8 +299,19 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             }
             if let Some(pattern) = self.patterns.get_mut(index) {
                 pattern.value = best;
+                pattern.then = config.discount * best;
             }
             self.next_value += 1;
+        }
+    }
+
+    /// Brings what the patterns keep up to date after a change of the discount.
+    fn follow_discount(&mut self, discount: f32) {
+        if self.discount.to_bits() != discount.to_bits() {
+            self.discount = discount;
+            for pattern in &mut self.patterns {
+                pattern.then = discount * pattern.value;
+            }
         }
     }
 
@@ -321,6 +334,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         state: &ItemStates<WORDS>,
         config: &ValueConfig,
     ) -> [Appraisal; ACTIONS] {
+        self.follow_discount(config.discount);
         let mut appraisals = [Appraisal::default(); ACTIONS];
         let mut bonuses = [0.0; ACTIONS];
         let mut others = Others::none();
@@ -335,22 +349,30 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             let Some(result) = self.patterns.get(usize::from(schema.result.0)) else {
                 continue;
             };
+            debug_assert!(result.then == config.discount * result.value);
             let p = schema.reliability.value(config.estimate);
-            let value = self.with_inherent(config.discount * result.value, &result.items);
+            let value = self.with_inherent(result.then, &result.items);
             appraisal.value += p * value;
             appraisal.reliability += p;
             appraisal.applicable = true;
-            if let Some(most) = bonuses.get_mut(usize::from(schema.action.0))
-                && schema.doubt.bonus > *most
+            let bonus = schema.doubt.bonus;
+            // Mostly there is none, and a zero is told faster by its bits.
+            if bonus.to_bits() != 0
+                && let Some(most) = bonuses.get_mut(usize::from(schema.action.0))
+                && bonus > *most
             {
-                *most = schema.doubt.bonus;
+                *most = bonus;
             }
         }
+        self.count_schemas(applicable.seen());
         for (appraisal, bonus) in appraisals.iter_mut().zip(bonuses) {
-            if appraisal.reliability > 1.0 {
+            // The bits of positive floats are in their order.
+            if appraisal.reliability.to_bits() > 1.0_f32.to_bits() {
                 appraisal.value /= appraisal.reliability;
             }
-            appraisal.value += bonus;
+            if bonus.to_bits() != 0 {
+                appraisal.value += bonus;
+            }
         }
         appraisals
     }

@@ -93,7 +93,15 @@ impl<const WIDTH: usize, const HEIGHT: usize> Neighbourhood<WIDTH, HEIGHT> {
         // Below the square root of the smallest normal number the Gaussian is the winner alone.
         if two_sigma_squared >= f32::MIN_POSITIVE {
             self.horizontal_radius = fill(&mut self.horizontal, two_sigma_squared, cut);
-            self.vertical_radius = fill(&mut self.vertical, two_sigma_squared, cut);
+            if WIDTH == HEIGHT {
+                // The same numbers: exponentials are dear without a floating-point unit.
+                self.vertical_radius = self.horizontal_radius;
+                for (vertical, horizontal) in self.vertical.iter_mut().zip(self.horizontal) {
+                    *vertical = horizontal;
+                }
+            } else {
+                self.vertical_radius = fill(&mut self.vertical, two_sigma_squared, cut);
+            }
         }
         Ok(())
     }

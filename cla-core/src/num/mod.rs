@@ -2,8 +2,12 @@
 //!
 //! Everything here gives the same bits on every target: plain `f32` operations in a written order,
 //! no fused multiply-add, no float function of `std`.
+//! With the feature `micromath` the functions are that crate's approximations: fast where floats are
+//! functions, and another life, because every result differs in its last bits or more.
 //! It knows nothing of maps or schemas (book, chapter 2, for what the maps need).
 
+#[cfg_attr(feature = "micromath", path = "functions_inexact.rs")]
+mod functions;
 mod gaussian;
 mod rng;
 mod schedule;
@@ -23,7 +27,7 @@ pub use schedule::{Schedule, ScheduleError};
 /// ```
 #[must_use]
 pub fn exp(x: f32) -> f32 {
-    libm::expf(x)
+    functions::exp(x)
 }
 
 /// Correctly rounded square root, with the same bits on every target.
@@ -35,7 +39,7 @@ pub fn exp(x: f32) -> f32 {
 /// ```
 #[must_use]
 pub fn sqrt(x: f32) -> f32 {
-    libm::sqrtf(x)
+    functions::sqrt(x)
 }
 
 /// The natural logarithm, to within one unit in the last place, with the same bits on every target.
@@ -49,5 +53,5 @@ pub fn sqrt(x: f32) -> f32 {
 /// ```
 #[must_use]
 pub fn ln(x: f32) -> f32 {
-    libm::logf(x)
+    functions::ln(x)
 }

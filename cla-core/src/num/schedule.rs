@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::exp;
+use super::{exp, ln};
 
 /// A parameter as a function of the number of samples that a map has seen.
 ///
@@ -133,8 +133,8 @@ impl Schedule {
             }
             Shape::Geometric { steps } if samples < steps => {
                 let share = samples as f32 / steps as f32;
-                // from·(to/from)^share, with libm's own log so that host and target agree.
-                self.from * exp(share * libm::logf(self.to / self.from))
+                // from·(to/from)^share.
+                self.from * exp(share * ln(self.to / self.from))
             }
             Shape::Linear { .. } | Shape::Geometric { .. } => self.to,
             Shape::Decay { time_constant } => {

@@ -72,6 +72,19 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
         weight.map_or(0.0, |&weight| f32::from(weight) / ONE as f32)
     }
 
+    fn squared_distances(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+    ) {
+        let unit = 1.0 / (ONE * ONE) as f32;
+        let sums = self.sums(stimulus, scratch);
+        for (total, sum) in distances.as_mut_slice().iter_mut().zip(sums) {
+            *total = unit * sum;
+        }
+    }
+
     fn add_squared_distances(
         &self,
         stimulus: &SparseStimulus<'_>,

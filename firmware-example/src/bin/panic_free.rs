@@ -13,6 +13,7 @@ use core::panic::PanicInfo;
 
 use cla_core::clasm::*;
 use cla_core::forager::pioneer::{Action, Brain, Percept, be_born};
+use cla_core::forager::small;
 use cla_core::layer::overload::{
     MatchDistance, OverloadDetector, Response, TotalActivation, Transitions,
 };
@@ -243,7 +244,17 @@ entries! {
         brain: &mut Agent6, before: &Percept, action: ActionId, after: &Percept,
     ) -> Result<Lesson, AgentError> { brain.observe(before, action, after) }
     "harvest" (brain: &mut Agent6) { brain.harvest() }
+    "cost" (brain: &Agent6, sum: &mut Cost) { sum.add(&brain.cost()) }
     "act" (brain: &mut Agent6, how: Adaptation) -> Result<(), AgentError> { brain.act(how) }
+    "maps_of_bytes" (
+        brain: &mut small::Brain, config: AgentConfig, seed: u64, now: &Percept, how: Adaptation,
+    ) -> Option<Lesson> {
+        small::be_born(brain, config, seed).ok()?;
+        brain.choose(now).ok()?;
+        let lesson = brain.learn(now).ok()?;
+        brain.act(how).ok()?;
+        Some(lesson)
+    }
 
     "maps" (brain: &Agent6, node: NodeId, item: u16) -> Option<f32> {
         let map = brain.bank().maps().get(usize::from(item))?;
@@ -322,6 +333,7 @@ entries! {
     }
     "item_states" (it: &mut ItemStates<3>, item: ItemId, state: Option<bool>) -> Option<bool> {
         it.set(item, state).ok()?;
+        it.set_above(item, 0.5, f32::from(item.0)).ok()?;
         let other = ItemStates::<3>::from_sets(&it.known(), ItemStates::<3>::all_off(item.0).off());
         other.get(item).or(it.get(ItemId(item.0 / 2))).filter(|_| it.on().is_disjoint(other.on()))
     }

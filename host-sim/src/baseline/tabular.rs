@@ -401,10 +401,8 @@ mod tests {
                 let mut learner = learner(method, history);
                 live(&mut learner, &mut corridor(false), 10_000).unwrap();
                 learner.act().unwrap();
-                let captures: u32 = live(&mut learner, &mut corridor(false), 400)
-                    .unwrap()
-                    .iter()
-                    .sum();
+                let lived = live(&mut learner, &mut corridor(false), 400).unwrap();
+                let captures = lived.total();
                 assert!(
                     (95..=100).contains(&captures),
                     "{method:?} {history:?} {captures}"
@@ -446,9 +444,9 @@ mod tests {
         let mut learner = learner(Method::QLearning, History::None);
         let mut world = corridor(false);
         world.ends = 3;
-        let captures = live(&mut learner, &mut world, 100_000).unwrap();
-        assert_eq!(captures.iter().sum::<u32>(), 3);
-        assert!(captures.len() < 4000 && learner.states() == 4);
+        let lived = live(&mut learner, &mut world, 100_000).unwrap();
+        assert_eq!(lived.total(), 3);
+        assert!(lived.captures.len() < 4000 && learner.states() == 4);
     }
 
     #[test]

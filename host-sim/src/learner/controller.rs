@@ -37,8 +37,4 @@ impl<C: Controller> Learner for Untaught<C> {
     fn observe(&mut self, _: &Percept, _: usize, _: &Percept) -> Result<(), Failure> {
         Ok(())
     }
-
-    fn act(&mut self) -> Result<(), Failure> {
-        Ok(())
-    }
 }

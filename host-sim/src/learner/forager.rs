@@ -1,10 +1,11 @@
 //! The brain of `cla-core` as a [`Learner`]: percepts in its words, reasons in the book's notation.
 
 use cla_core::clasm::{
-    ActionId, Adaptation, AgentConfig, Choice, Detail, Estimate, ItemSet, ItemStates, Reason,
-    SurpriseConfig,
+    ActionId, Adaptation, Agent, AgentConfig, Choice, Cost, Detail, Estimate, ItemSet, ItemStates,
+    Reason, SurpriseConfig,
 };
 use cla_core::forager::pioneer::{self, Brain, VOCABULARY};
+use cla_core::som::Prototypes;
 
 use super::{Learner, Thought};
 use crate::options::Failure;
@@ -22,6 +23,47 @@ pub fn percept(now: &world::Percept) -> pioneer::Percept {
         out
     };
     ItemStates::from_sets(&narrow(now.on()), &narrow(now.off()))
+}
+
+/// A bare brain of any capacity; when it acts, its reliabilities go on adapting.
+impl<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+    M: Prototypes<W, H> + 'static,
+> Learner for Agent<1, 7, W, H, 6, P, S, Y, B, M>
+{
+    fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
+        Ok(usize::from(Self::choose(self, &percept(now))?.action.0))
+    }
+
+    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
+        Self::learn(self, &percept(now))?;
+        Ok(())
+    }
+
+    fn observe(
+        &mut self,
+        before: &world::Percept,
+        action: usize,
+        after: &world::Percept,
+    ) -> Result<(), Failure> {
+        let action = ActionId(action as u16);
+        Self::observe(self, &percept(before), action, &percept(after))?;
+        Ok(())
+    }
+
+    fn act(&mut self) -> Result<(), Failure> {
+        Self::act(self, Adaptation::Reliabilities)?;
+        Ok(())
+    }
+
+    fn cost(&self) -> Option<Cost> {
+        Some(Self::cost(self))
+    }
 }
 
 /// A forager with level 1, and how it adapts when it acts.
@@ -77,14 +119,13 @@ impl Forager {
 
 impl Learner for Forager {
     fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
-        let choice = self.brain.choose(&percept(now))?;
+        let choice = Agent::choose(&mut self.brain, &percept(now))?;
         self.last = Some(choice);
         Ok(usize::from(choice.action.0))
     }
 
     fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
-        self.brain.learn(&percept(now))?;
-        Ok(())
+        Learner::learn(&mut *self.brain, now)
     }
 
     fn observe(
@@ -93,15 +134,16 @@ impl Learner for Forager {
         action: usize,
         after: &world::Percept,
     ) -> Result<(), Failure> {
-        let action = ActionId(action as u16);
-        self.brain
-            .observe(&percept(before), action, &percept(after))?;
-        Ok(())
+        Learner::observe(&mut *self.brain, before, action, after)
     }
 
     fn act(&mut self) -> Result<(), Failure> {
-        self.brain.act(self.adaptation)?;
+        Agent::act(&mut self.brain, self.adaptation)?;
         Ok(())
+    }
+
+    fn cost(&self) -> Option<Cost> {
+        Some(self.brain.cost())
     }
 
     fn reliabilities(&self) -> Vec<f64> {

@@ -7,11 +7,12 @@
 pub mod controller;
 pub mod forager;
 
+use crate::meter::Load;
 use crate::options::Failure;
 use crate::world::damage::Damage;
 use crate::world::pioneer::{GRIP, INGRIP, TURN_AROUND};
 use crate::world::{Percept, World};
-use cla_core::clasm::ItemId;
+use cla_core::clasm::{Cost, ItemId};
 
 /// Something that chooses actions and learns from what they lead to.
 pub trait Learner {
@@ -37,7 +38,14 @@ pub trait Learner {
     ///
     /// # Errors
     /// Whatever keeps it from acting.
-    fn act(&mut self) -> Result<(), Failure>;
+    fn act(&mut self) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    /// What its last step has touched; `None` for who does not count.
+    fn cost(&self) -> Option<Cost> {
+        None
+    }
 
     /// Is told what broke; whoever learns does not listen.
     fn hear(&mut self, _: &Damage) {}
@@ -77,7 +85,24 @@ pub type Watch<'a, W> = &'a mut dyn FnMut(&dyn Learner, &W);
 /// Actions between two looks at the count of captures.
 pub const STRIDE: u32 = 25;
 
-/// Lets a learner do up to `actions` actions; returns the captures of each [`STRIDE`] of them.
+/// What came of a life.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lived {
+    /// Captures of each [`STRIDE`] of actions.
+    pub captures: Vec<u32>,
+    /// What its worst step would have cost.
+    pub load: Load,
+}
+
+impl Lived {
+    /// All captures.
+    #[must_use]
+    pub fn total(&self) -> u32 {
+        self.captures.iter().sum()
+    }
+}
+
+/// Lets a learner do up to `actions` actions.
 ///
 /// Reflexes run in between and are not counted; a rest that is shorter counts like a whole stride.
 /// A world that ends early ends the life: the strides that did not begin are not there.
@@ -88,7 +113,7 @@ pub fn live<W: World>(
     learner: &mut dyn Learner,
     world: &mut W,
     actions: u32,
-) -> Result<Vec<u32>, Failure> {
+) -> Result<Lived, Failure> {
     watched(learner, world, actions, &mut |_, _| {})
 }
 
@@ -101,27 +126,30 @@ pub fn watched<W: World>(
     world: &mut W,
     actions: u32,
     watch: Watch<'_, W>,
-) -> Result<Vec<u32>, Failure> {
-    let mut captures = Vec::new();
+) -> Result<Lived, Failure> {
+    let mut lived = Lived::default();
     let mut before = world.captures();
     for done in 0..actions {
         if world.finished() {
             break;
         }
         if done % STRIDE == 0 {
-            captures.push(0);
+            lived.captures.push(0);
         }
         let action = learner.choose(&world.sense())?;
         watch(learner, world);
         world.act(action);
         learner.learn(&world.sense())?;
+        if let Some(cost) = learner.cost() {
+            lived.load.note(&cost);
+        }
         feel_reflexes(learner, world)?;
-        if let Some(stride) = captures.last_mut() {
+        if let Some(stride) = lived.captures.last_mut() {
             *stride += world.captures() - before;
         }
         before = world.captures();
     }
-    Ok(captures)
+    Ok(lived)
 }
 
 fn feel_reflexes<W: World>(learner: &mut dyn Learner, world: &mut W) -> Result<(), Failure> {
@@ -133,5 +161,48 @@ fn feel_reflexes<W: World>(learner: &mut dyn Learner, world: &mut W) -> Result<(
         let gripped = before.get(ItemId(INGRIP)) == Some(true);
         let action = if gripped { GRIP } else { TURN_AROUND };
         learner.observe(&before, action, &world.sense())?;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cla_core::clasm::{Adaptation, AgentConfig};
+
+    use super::forager::Forager;
+    use super::{Learner, STRIDE, live};
+    use crate::world::World;
+    use crate::world::config::{AfterCapture, PioneerConfig};
+    use crate::world::pioneer::Pioneer;
+
+    #[test]
+    fn a_world_that_ends_early_ends_the_life_and_the_brain_goes_on_in_the_next() {
+        let config = PioneerConfig {
+            radius: 2.0,
+            specimens: 1,
+            after_capture: AfterCapture::Removed,
+            ..PioneerConfig::NOISY
+        };
+        let mut forager = Forager::born(AgentConfig::FORAGER, Adaptation::Frozen, 5).unwrap();
+        let mut world = Pioneer::new(config, 5).unwrap();
+        let lived = live(&mut forager, &mut world, 100_000).unwrap();
+        assert!(world.finished());
+        assert_eq!(lived.total(), 1);
+        let actions = lived.captures.len() as u32 * STRIDE;
+        assert!(actions < 100_000);
+        // No action was left without its result: all that was done has been learned.
+        let samples = |forager: &Forager| -> u32 {
+            let maps = forager.brain().bank().maps();
+            maps.iter().map(|map| map.samples()).sum()
+        };
+        let learned = samples(&forager);
+        assert!(learned + STRIDE > actions, "{learned} of {actions}");
+        // Nothing happens in a world that has ended, and nothing is lost.
+        assert_eq!(live(&mut forager, &mut world, 100).unwrap().total(), 0);
+        assert_eq!(samples(&forager), learned);
+        let next = &mut Pioneer::new(PioneerConfig::NOISY, 6).unwrap();
+        live(&mut forager, next, 500).unwrap();
+        assert!(samples(&forager) >= learned + 500);
+        forager.act().unwrap();
+        assert!(!forager.brain().knowledge().schemas().is_empty());
     }
 }

@@ -12,6 +12,13 @@ use super::table::{claims_text, table_text};
 pub struct Results {
     /// The record.
     pub summary: Summary,
+    /// The instructions of the worst control step by the name of the processor; empty when no brain
+    /// counted its steps.
+    pub worst_ticks: Vec<(&'static str, u64)>,
+    /// A last line for the terminal.
+    pub remark: Option<String>,
+    /// Why the run has failed although it came to its end, in one sentence.
+    pub over_budget: Option<String>,
     pictures: Vec<(String, Picture)>,
     files: Vec<(String, Vec<u8>)>,
 }
@@ -22,6 +29,9 @@ impl Results {
     pub const fn new(summary: Summary) -> Self {
         Self {
             summary,
+            worst_ticks: Vec::new(),
+            remark: None,
+            over_budget: None,
             pictures: Vec::new(),
             files: Vec::new(),
         }
@@ -41,7 +51,7 @@ impl Results {
         self
     }
 
-    /// What the terminal shows: all tables, then the claims.
+    /// What the terminal shows: all tables, then the claims, then the last line.
     ///
     /// ```
     /// use host_sim::report::{Results, Summary, Table};
@@ -59,6 +69,9 @@ impl Results {
         }
         if !self.summary.claims.is_empty() {
             text.push_str(&claims_text(&self.summary.claims));
+        }
+        if let Some(remark) = &self.remark {
+            text.push_str(&format!("\n{remark}\n"));
         }
         text
     }

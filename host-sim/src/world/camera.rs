@@ -38,12 +38,15 @@ pub struct Blob {
 impl Blob {
     /// The sector it lies in: 0 for s1 (far left) to 4 for s5 (far right).
     ///
-    /// A blob on a border belongs to the sector on its left.
+    /// A blob on a border belongs to the sector on its left; `None` when its direction is no number.
     #[must_use]
-    pub fn sector(&self) -> usize {
+    pub fn sector(&self) -> Option<usize> {
+        if self.bearing.is_nan() {
+            return None;
+        }
         let from_left = (0.5 * FIELD_OF_VIEW - self.bearing) * SECTORS as f64 / FIELD_OF_VIEW;
         let sector = libm::ceil(from_left) - 1.0;
-        sector.clamp(0.0, (SECTORS - 1) as f64) as usize
+        Some(sector.clamp(0.0, (SECTORS - 1) as f64) as usize)
     }
 }
 
@@ -176,7 +179,7 @@ mod tests {
         for (bearing, sector) in [(24.0, 0), (12.0, 1), (0.0, 2), (-12.0, 3), (-24.0, 4)] {
             let blobs = look(&[(2.0, bearing)]);
             assert_eq!(blobs.len(), 1);
-            assert_eq!(blobs[0].sector(), sector);
+            assert_eq!(blobs[0].sector(), Some(sector));
             assert!((blobs[0].bearing - bearing).abs() < 0.2);
         }
     }
@@ -206,7 +209,7 @@ mod tests {
     fn a_camera_knocked_left_sees_what_is_ahead_farther_right() {
         let mut camera = Camera::new(0.0, 8.0);
         camera.set_offset(12.0);
-        assert_eq!(look_with(&mut camera, &[(2.0, 0.0)])[0].sector(), 3);
+        assert_eq!(look_with(&mut camera, &[(2.0, 0.0)])[0].sector(), Some(3));
     }
 
     #[test]

@@ -238,13 +238,27 @@ impl Pioneer {
         Ok(())
     }
 
-    fn percept(&self, sectors: impl Iterator<Item = usize>) -> Percept {
+    /// A camera that does not say where a blob is says nothing: its items are unknown, not off.
+    fn percept(&self, sectors: impl Iterator<Item = Option<usize>>) -> Percept {
         let mut percept = ItemStates::all_off(ITEMS.len() as u16);
-        let on = sectors.map(|sector| S1 + sector.min(SECTORS - 1) as u16);
-        let on = on.chain(self.beam_broken().then_some(INGRIP));
-        for item in on.chain(self.bumped.then_some(BUMP)) {
+        let mut set = |item, state| {
             // Seven items always fit.
-            let _ = percept.set(ItemId(item), Some(true));
+            let _ = percept.set(ItemId(item), state);
+        };
+        for sector in sectors {
+            match sector {
+                Some(sector) => set(S1 + sector.min(SECTORS - 1) as u16, Some(true)),
+                None => {
+                    (S1..S1 + SECTORS as u16).for_each(|item| set(item, None));
+                    break;
+                }
+            }
+        }
+        if self.beam_broken() {
+            set(INGRIP, Some(true));
+        }
+        if self.bumped {
+            set(BUMP, Some(true));
         }
         percept
     }

@@ -3,8 +3,8 @@
 use cla_core::num::Rng;
 
 use super::{
-    BACKWARD, FORWARD, GRIP, INGRIP, Layout, Pioneer, PioneerConfig, Point, Pose, TURN_AROUND,
-    TURN_LEFT, TURN_RIGHT, World,
+    BACKWARD, Blob, FORWARD, GRIP, INGRIP, Layout, Pioneer, PioneerConfig, Point, Pose, S1,
+    SECTORS, TURN_AROUND, TURN_LEFT, TURN_RIGHT, World,
 };
 use cla_core::clasm::ItemId;
 
@@ -46,6 +46,23 @@ fn the_last_specimen_ends_a_run_with_removal_only() {
     assert!(replaced.captures() == 1 && !replaced.finished());
     let back = replaced.specimens()[0].unwrap();
     assert!(back.distance(robot.position) >= 0.69);
+}
+
+#[test]
+fn a_camera_that_reads_nan_makes_its_items_unknown_and_no_others() {
+    let world = quiet(EAST(0.0), &[(0.3, 0.0)]);
+    let blob = Blob {
+        bearing: f64::NAN,
+        range: 1.0,
+        columns: 3,
+        specimen: 0,
+    };
+    let percept = world.percept([Some(0), blob.sector()].into_iter());
+    for item in S1..S1 + SECTORS as u16 {
+        assert_eq!(percept.get(ItemId(item)), None);
+    }
+    assert_eq!(percept.get(ItemId(INGRIP)), Some(true));
+    assert_eq!(percept.get(ItemId(super::BUMP)), Some(false));
 }
 
 #[test]

@@ -8,11 +8,11 @@ use host_sim::experiment::mcu::board::{Build, Printed, Target, section_bytes};
 use super::run_once;
 
 /// Rows of a table: what, and a number for each column; `None` where nothing was measured.
-type Rows = Vec<(String, Vec<Option<u64>>)>;
+pub(super) type Rows = Vec<(String, Vec<Option<u64>>)>;
 
 /// How much a number may differ from the committed one.
 #[derive(Clone, Copy)]
-enum Tolerance {
+pub(super) enum Tolerance {
     /// Not at all.
     None,
     /// One in a hundred.
@@ -42,7 +42,7 @@ fn grouped(number: u64) -> String {
 }
 
 /// Compares a table with the one between its markers, or writes it there.
-fn hold(name: &str, head: &str, rows: &Rows, tolerance: Tolerance) {
+pub(super) fn hold(name: &str, head: &str, rows: &Rows, tolerance: Tolerance) {
     let path = cla_tests::root().join("memory-budget.md");
     let text = fs::read_to_string(&path).expect("the budget can be read");
     let marker = format!("<!-- budget: {name} -->\n");
@@ -91,7 +91,7 @@ fn number(printed: &Printed, start: &str, word: &str) -> u64 {
         .unwrap_or_else(|error| panic!("{error}"))
 }
 
-const HEAD: &str = "| | Cortex-M4F | Cortex-M0+ | RV32IMAC |";
+pub(super) const HEAD: &str = "| | Cortex-M4F | Cortex-M0+ | RV32IMAC |";
 
 const PROFILES: [(&str, &str); 2] = [("forager", ""), ("small", "small")];
 
@@ -124,6 +124,39 @@ fn instructions_of_every_part_of_a_step_are_those_of_the_budget() {
         }
     }
     hold("instructions", HEAD, &rows, Tolerance::Percent);
+    hold("time", TIME_HEAD, &times(&rows), Tolerance::Percent);
+}
+
+const TIME_HEAD: &str =
+    "| | MHz | tick at level 2, mean, µs | tick, worst, µs | harvest, worst, µs |";
+
+/// Parts with the largest profile that fits them, their column and their clock in MHz.
+const PARTS: [(&str, &str, usize, u64); 5] = [
+    ("nRF52840", "small", 0, 64),
+    ("STM32F405", "small", 0, 168),
+    ("RP2350", "forager", 0, 150),
+    ("STM32H743", "forager", 0, 480),
+    ("RP2040", "forager", 1, 133),
+];
+
+/// What the instructions take where each is one cycle of the part's clock.
+fn times(instructions: &Rows) -> Rows {
+    let of = |name: String, column: usize, clock: u64| {
+        let row = instructions.iter().find(|(row, _)| *row == name);
+        let number = row.and_then(|(_, cells)| cells[column]);
+        number.map(|number| number.div_ceil(clock))
+    };
+    let row = |&(part, profile, column, clock): &(&str, &str, usize, u64)| {
+        let time = |what: &str| of(format!("{profile}: {what}"), column, clock);
+        let cells = [
+            Some(clock),
+            time("tick at level 2, mean"),
+            time("tick at level 2, worst"),
+            time("harvest, worst"),
+        ];
+        (format!("{part}, {profile}"), cells.to_vec())
+    };
+    PARTS.iter().map(row).collect()
 }
 
 #[test]

@@ -3,16 +3,20 @@
 //! Needs qemu-system-arm, qemu-system-riscv32 and the targets; `tests/run` gets them.
 
 mod budget;
+mod meter;
 
 use std::sync::{Mutex, PoisonError};
 
 use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
 use cla_core::forager::{pioneer, small};
+use cla_core::som::Prototypes;
 use firmware_example::replay::{Echo, Forager, acting_at, relive, second_level_at};
 use firmware_example::trace::{self, ACTIONS, SEED, Step};
-use host_sim::experiment::forage::life::{Mind, live};
 use host_sim::experiment::mcu::board::{Build, Printed, Target};
+use host_sim::learner::forager::percept;
+use host_sim::learner::{Learner, live};
 use host_sim::options::Failure;
+use host_sim::world;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::pioneer::Pioneer;
 
@@ -24,12 +28,13 @@ fn on_host<
     const S: usize,
     const Y: usize,
     const B: usize,
+    M: Prototypes<W, H>,
 >(
-    brain: Forager<W, H, P, S, Y, B>,
+    brain: Forager<W, H, P, S, Y, B, M>,
     actions: u32,
 ) -> Echo {
     let mut brain = Box::new(brain);
-    relive(&mut brain, SEED, actions, |_| {}).expect("the recording is whole")
+    relive(&mut brain, SEED, actions, |_, _| {}).expect("the recording is whole")
 }
 
 /// Runs a program on its board, and answers from memory the next time.
@@ -122,37 +127,37 @@ impl Witness {
     }
 }
 
-impl Mind for Witness {
-    fn choose(&mut self, now: &pioneer::Percept) -> Result<ActionId, Failure> {
-        self.before = *now;
-        self.chosen = Mind::choose(&mut *self.brain, now)?;
-        Ok(self.chosen)
+impl Learner for Witness {
+    fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
+        let action = Learner::choose(&mut *self.brain, now)?;
+        self.before = percept(now);
+        self.chosen = ActionId(action as u16);
+        Ok(action)
     }
 
-    fn learn(&mut self, now: &pioneer::Percept) -> Result<(), Failure> {
-        let (before, action) = (self.before, self.chosen);
+    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
         self.compare(Step {
-            before,
-            action,
-            after: *now,
+            before: self.before,
+            action: self.chosen,
+            after: percept(now),
             reflex: false,
         });
-        Mind::learn(&mut *self.brain, now)
+        Learner::learn(&mut *self.brain, now)
     }
 
     fn observe(
         &mut self,
-        before: &pioneer::Percept,
-        action: ActionId,
-        after: &pioneer::Percept,
+        before: &world::Percept,
+        action: usize,
+        after: &world::Percept,
     ) -> Result<(), Failure> {
         self.compare(Step {
-            before: *before,
-            action,
-            after: *after,
+            before: percept(before),
+            action: ActionId(action as u16),
+            after: percept(after),
             reflex: true,
         });
-        Mind::observe(&mut *self.brain, before, action, after)
+        Learner::observe(&mut *self.brain, before, action, after)
     }
 }
 
@@ -184,7 +189,7 @@ fn the_recording_is_of_the_present_world_and_the_present_brain() {
 fn another_life_has_another_fingerprint() {
     let here = on_host(pioneer::brain(), 2_000);
     let mut brain = Box::new(pioneer::brain());
-    let other = relive(&mut brain, SEED + 1, 2_000, |_| {}).expect("it lives");
+    let other = relive(&mut brain, SEED + 1, 2_000, |_, _| {}).expect("it lives");
     assert_ne!(here.weights, other.weights);
     assert_ne!(here.distances, other.distances);
     assert_ne!(here.choices, other.choices);

@@ -1,12 +1,11 @@
 //! Foraging: a Pioneer learns to collect specimens from one valued item (book, 6.2).
 //!
-//! `life` is the loop of brain and world, `trial` one seed of the experiment, `measure` what a
-//! knowledge base says about the book's schemas, `second` the second level on trial, `claims` what is concluded from all seeds.
+//! `trial` is one seed of the experiment, `measure` what a knowledge base says about the book's
+//! schemas, `second` the second level on trial, `claims` what is concluded from all seeds.
 
 mod claims;
 mod level2_claims;
 pub mod level2_schemas;
-pub mod life;
 pub mod measure;
 pub mod second;
 pub mod som_level2;
@@ -14,6 +13,7 @@ pub mod trial;
 
 use cla_core::clasm::AgentConfig;
 
+use crate::meter::Load;
 use crate::options::{Failure, WorldOptions};
 use crate::progress::Progress;
 use crate::report::Results;
@@ -74,5 +74,7 @@ pub fn run(options: &ForageOptions, progress: &Progress) -> Result<Results, Fail
         .over("foraging", &options.seeds, trial::work(options), job)
         .into_iter()
         .collect::<Result<Vec<_>, _>>()?;
-    claims::results(options, &trials)
+    let mut results = claims::results(options, &trials)?;
+    results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
+    Ok(results)
 }

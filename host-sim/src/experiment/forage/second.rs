@@ -9,7 +9,6 @@ use cla_core::forager::pioneer::Brain;
 use cla_core::num::Rng;
 
 use super::level2_schemas::Finding;
-use super::life::live;
 use super::trial::{Bench, Captures};
 use super::{ForageOptions, som_level2};
 use crate::options::{Failure, WorldOptions};
@@ -129,8 +128,7 @@ fn grown(
     let mut brain = Box::new(young.clone());
     brain.reconfigure(config)?;
     let mut world = world.build(Rng::stream(bench.seed, 4).next_seed())?;
-    live(&mut *brain, &mut world, bench.options.actions)?;
-    bench.ticker.advance(u64::from(bench.options.actions));
+    bench.live(&mut brain, &mut world, bench.options.actions)?;
     Ok(brain)
 }
 

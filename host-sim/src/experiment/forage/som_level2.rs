@@ -12,9 +12,11 @@ use cla_core::num::Rng;
 
 use super::ForageOptions;
 use super::level2_schemas::{Finding, findings};
-use super::life::{Mind, live};
 use super::trial::{Captures, fresh};
+use crate::learner::forager::percept;
+use crate::learner::{Learner, live};
 use crate::options::Failure;
+use crate::world;
 use crate::world::config::AfterCapture;
 
 /// The level: 7 primitive items and 377 synthetic ones, 24 × 24 nodes for each of 6 actions.
@@ -81,8 +83,9 @@ impl TwoLevels {
     }
 }
 
-impl Mind for TwoLevels {
-    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
+impl Learner for TwoLevels {
+    fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
+        let now = &percept(now);
         let choice = self.brain.choose(now)?;
         let mut action = choice.action;
         if matches!(choice.reason, Reason::Value | Reason::NothingApplies) {
@@ -94,10 +97,11 @@ impl Mind for TwoLevels {
         }
         self.now = *now;
         self.action = action;
-        Ok(action)
+        Ok(usize::from(action.0))
     }
 
-    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
+    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
+        let now = &percept(now);
         let before = self.now;
         self.listen(&before, self.action, now);
         let lesson = self.brain.learn(now)?;
@@ -107,10 +111,12 @@ impl Mind for TwoLevels {
 
     fn observe(
         &mut self,
-        before: &Percept,
-        action: ActionId,
-        after: &Percept,
+        before: &world::Percept,
+        action: usize,
+        after: &world::Percept,
     ) -> Result<(), Failure> {
+        let (before, after) = (&percept(before), &percept(after));
+        let action = ActionId(action as u16);
         self.listen(before, action, after);
         let lesson = self.brain.observe(before, action, after)?;
         self.follow(lesson);
@@ -205,7 +211,7 @@ fn tested(
         let mut copy = both.clone();
         copy.act(Adaptation::Reliabilities)?;
         let mut world = fresh(&options.world, after_capture, seed)?;
-        Ok(live(&mut copy, &mut world, options.test_actions)?.captures)
+        Ok(live(&mut copy, &mut world, options.test_actions)?.total())
     };
     let captures = Captures {
         replaced: count(AfterCapture::Replaced)?,

@@ -2,6 +2,8 @@
 //!
 //! Measures only; what the numbers mean is said in `claims`.
 
+use std::cell::Cell;
+
 use cla_core::clasm::{
     Adaptation, AgentConfig, ChoiceRule, Detail, Estimate, ItemId, SchemaId, SchemaText,
     ValueConfig,
@@ -9,13 +11,14 @@ use cla_core::clasm::{
 use cla_core::forager::pioneer::{self, Brain, Item, VOCABULARY};
 use cla_core::num::Rng;
 
-use super::life::live;
 use super::measure::{Record, promises, record_of};
 use super::second::{self, Harvested, Insight, LARGE, Pair};
 use super::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
 use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
 use crate::baseline::{self, Controller};
+use crate::learner::live;
+use crate::meter::Load;
 use crate::options::{Failure, WorldOptions};
 use crate::progress::Ticker;
 use crate::world::World;
@@ -85,6 +88,8 @@ pub struct Trial {
     pub reliabilities: Vec<f64>,
     /// The schemas, the most tried first.
     pub found: Vec<Found>,
+    /// What the worst step of all these brains would have cost; the one harvested from maps apart.
+    pub load: Load,
 }
 
 /// How many actions one seed takes, for the progress bar.
@@ -103,6 +108,7 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
         options,
         seed,
         ticker,
+        load: Cell::default(),
     };
     let mut brain = born(options.brain, seed)?;
     let mut world = options.world.build(seed)?;
@@ -110,9 +116,7 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
     let (mut first_ingrip, mut training_captures, mut done) = (None, 0, 0);
     while done < options.actions {
         let chunk = options.brain.harvest_every.min(options.actions - done);
-        let tally = live(&mut *brain, &mut world, chunk)?;
-        ticker.advance(u64::from(chunk));
-        training_captures += tally.captures;
+        training_captures += bench.live(&mut brain, &mut world, chunk)?;
         done += chunk;
         if first_ingrip.is_none() && promises(brain.knowledge(), Item::ingrip.id()) {
             first_ingrip = Some(done);
@@ -198,6 +202,7 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
             .map(|schema| f64::from(schema.reliability.value(Estimate::Plain)))
             .collect(),
         found: found(&brain),
+        load: bench.load.get(),
     })
 }
 
@@ -258,18 +263,32 @@ pub(super) struct Bench<'a> {
     pub(super) options: &'a ForageOptions,
     pub(super) seed: u64,
     pub(super) ticker: &'a Ticker,
+    pub(super) load: Cell<Load>,
 }
 
 impl Bench<'_> {
+    /// Lets a brain live for some actions, and counts them; returns its captures.
+    pub(super) fn live(
+        &self,
+        brain: &mut Brain,
+        world: &mut Pioneer,
+        actions: u32,
+    ) -> Result<u32, Failure> {
+        let lived = live(brain, world, actions)?;
+        let mut load = self.load.get();
+        load.merge(&lived.load);
+        self.load.set(load);
+        self.ticker.advance(u64::from(actions));
+        Ok(lived.total())
+    }
+
     /// Tests a copy of a brain: greedy, with reliabilities that go on adapting.
     pub(super) fn test(&self, brain: &Brain, world: &WorldOptions) -> Result<Captures, Failure> {
         let count = |after_capture| -> Result<u32, Failure> {
             let mut copy = Box::new(brain.clone());
             copy.act(Adaptation::Reliabilities)?;
             let mut world = fresh(world, after_capture, self.seed)?;
-            let tally = live(&mut *copy, &mut world, self.options.test_actions)?;
-            self.ticker.advance(u64::from(self.options.test_actions));
-            Ok(tally.captures)
+            self.live(&mut copy, &mut world, self.options.test_actions)
         };
         Ok(Captures {
             replaced: count(AfterCapture::Replaced)?,
@@ -280,12 +299,11 @@ impl Bench<'_> {
     /// A brain with a whole childhood under another configuration or in another world.
     fn trained(&self, config: AgentConfig, world: &WorldOptions) -> Result<Box<Brain>, Failure> {
         let mut brain = born(config, self.seed)?;
-        live(
-            &mut *brain,
+        self.live(
+            &mut brain,
             &mut world.build(self.seed)?,
             self.options.actions,
         )?;
-        self.ticker.advance(u64::from(self.options.actions));
         Ok(brain)
     }
 

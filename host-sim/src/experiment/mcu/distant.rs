@@ -11,14 +11,16 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-use cla_core::clasm::ActionId;
-use cla_core::forager::pioneer::Percept;
+use cla_core::clasm::ItemSet;
+use cla_core::forager::pioneer::ITEMS;
 use firmware_example::link::{self, Answer, FRAME, Numbered, Order, encode};
 use firmware_example::trace::to_bits;
 
 use super::board::Target;
-use crate::experiment::forage::life::Mind;
+use crate::learner::Learner;
+use crate::learner::forager::percept;
 use crate::options::{Failure, Impossible};
+use crate::world::Percept;
 
 /// How long an answer may stay away before it is asked for again.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -204,14 +206,6 @@ impl Distant {
     pub fn begin_second_level(&mut self) -> Result<(), Failure> {
         self.tell(Order::SecondLevel)
     }
-
-    /// Ends training.
-    ///
-    /// # Errors
-    /// As [`ask`](Self::ask).
-    pub fn act(&mut self) -> Result<(), Failure> {
-        self.tell(Order::Act)
-    }
 }
 
 impl Drop for Distant {
@@ -223,32 +217,45 @@ impl Drop for Distant {
     }
 }
 
-impl Mind for Distant {
-    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
-        match self.ask(Order::Choose { now: to_bits(now) })? {
+impl Learner for Distant {
+    fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
+        let now = bits(now)?;
+        match self.ask(Order::Choose { now })? {
             Answer::Chosen { action, value } => {
                 self.value = value;
-                Ok(ActionId(action.into()))
+                Ok(action.into())
             }
             other => Err(unexpected(other)),
         }
     }
 
     fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
-        self.tell(Order::Learn { now: to_bits(now) })
+        let now = bits(now)?;
+        self.tell(Order::Learn { now })
     }
 
-    fn observe(
-        &mut self,
-        before: &Percept,
-        action: ActionId,
-        after: &Percept,
-    ) -> Result<(), Failure> {
+    fn observe(&mut self, before: &Percept, action: usize, after: &Percept) -> Result<(), Failure> {
         self.tell(Order::Observe {
-            before: to_bits(before),
-            action: action.0 as u8,
-            after: to_bits(after),
+            before: bits(before)?,
+            action: action as u8,
+            after: bits(after)?,
         })
+    }
+
+    /// Ends training.
+    fn act(&mut self) -> Result<(), Failure> {
+        self.tell(Order::Act)
+    }
+}
+
+/// A percept as the wire carries it: one bit an item, so every item must be known.
+fn bits(now: &Percept) -> Result<u8, Failure> {
+    let now = percept(now);
+    if now.known() == ItemSet::first(ITEMS.len() as u16) {
+        Ok(to_bits(&now))
+    } else {
+        // A sensor that says nothing must not reach the brain as one that says off.
+        Err("a percept with unknown items does not go over the wire".into())
     }
 }
 

@@ -6,21 +6,24 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
-use cla_core::forager::pioneer::{self, Brain, Percept};
+use cla_core::clasm::{Agent, AgentConfig, Cost};
+use cla_core::forager::pioneer::{self, Brain};
 use cla_core::num::Rng;
 use firmware_example::controller::knowledge;
 use firmware_example::link::{Answer, Order};
 
 use super::board::Target;
 use super::distant::Distant;
-use crate::experiment::forage::life::{Mind, live};
+use crate::learner::forager::percept;
+use crate::learner::{Learner, live};
+use crate::meter::Load;
 use crate::options::Failure;
+use crate::world::Percept;
 use crate::world::config::PioneerConfig;
 use crate::world::pioneer::Pioneer;
 
 /// What came of one life.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Life {
     /// Choices, in training and test.
     pub choices: u32,
@@ -28,6 +31,8 @@ pub struct Life {
     pub same: u32,
     /// Captures in the test.
     pub captures: u32,
+    /// What the worst step would cost by estimate.
+    pub load: Load,
     /// Whether both brains know the same schemas with the same counts at the end.
     pub same_knowledge: bool,
     /// Questions asked and answered over the wire.
@@ -44,35 +49,38 @@ struct Twins {
     same: u32,
 }
 
-impl Mind for Twins {
-    fn choose(&mut self, now: &Percept) -> Result<ActionId, Failure> {
+impl Learner for Twins {
+    fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
         let action = self.distant.choose(now)?;
-        let here = self.here.choose(now)?;
+        let here = self.here.choose(&percept(now))?;
         self.choices += 1;
-        let same = here.action == action && here.value.to_bits() == self.distant.last_value();
+        let agrees = usize::from(here.action.0) == action;
+        let same = agrees && here.value.to_bits() == self.distant.last_value();
         self.same += u32::from(same);
-        if here.action != action {
+        if !agrees {
             // The host's brain would learn from what it did not do.
-            return Err(
-                format!("choice {} differs: {here:?}, not {action:?}", self.choices).into(),
-            );
+            return Err(format!("choice {} differs: {here:?}, not {action}", self.choices).into());
         }
         Ok(action)
     }
 
     fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
         self.distant.learn(now)?;
-        Mind::learn(&mut *self.here, now)
+        Learner::learn(&mut *self.here, now)
     }
 
-    fn observe(
-        &mut self,
-        before: &Percept,
-        action: ActionId,
-        after: &Percept,
-    ) -> Result<(), Failure> {
+    fn observe(&mut self, before: &Percept, action: usize, after: &Percept) -> Result<(), Failure> {
         self.distant.observe(before, action, after)?;
-        Mind::observe(&mut *self.here, before, action, after)
+        Learner::observe(&mut *self.here, before, action, after)
+    }
+
+    fn act(&mut self) -> Result<(), Failure> {
+        self.distant.act()?;
+        Learner::act(&mut *self.here)
+    }
+
+    fn cost(&self) -> Option<Cost> {
+        Some(self.here.cost())
     }
 }
 
@@ -98,16 +106,18 @@ pub fn run(
         same: 0,
     };
     let mut world = Pioneer::new(PioneerConfig::NOISY, seed)?;
-    live(&mut twins, &mut world, actions)?;
+    let young = live(&mut twins, &mut world, actions)?;
     twins.distant.begin_second_level()?;
     twins.here.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
     let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 4).next_seed())?;
-    live(&mut twins, &mut world, actions)?;
-    twins.distant.act()?;
-    twins.here.act(Adaptation::Reliabilities)?;
+    let grown = live(&mut twins, &mut world, actions)?;
+    twins.act()?;
     // The test world of `forage`.
     let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 1).next_seed())?;
-    let tally = live(&mut twins, &mut world, test_actions)?;
+    let tested = live(&mut twins, &mut world, test_actions)?;
+    let mut load = young.load;
+    load.merge(&grown.load);
+    load.merge(&tested.load);
     let same_knowledge = match twins.distant.ask(Order::Report)? {
         Answer::Report {
             knowledge: theirs, ..
@@ -117,7 +127,8 @@ pub fn run(
     Ok(Life {
         choices: twins.choices,
         same: twins.same,
-        captures: tally.captures,
+        captures: tested.total(),
+        load,
         same_knowledge,
         round_trips: twins.distant.round_trips(),
         took: started.elapsed(),

@@ -5,6 +5,7 @@
 use cla_core::num::Rng;
 
 use crate::learner::{Learner, STRIDE, Watch, live, watched};
+use crate::meter::Load;
 use crate::options::{Failure, WorldOptions};
 use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::Pioneer;
@@ -40,6 +41,8 @@ pub struct Course {
     pub reliabilities: [Vec<f64>; 2],
     /// How often it was alarmed, undamaged and damaged.
     pub alarms: [u32; 2],
+    /// What its worst step would have cost.
+    pub load: Load,
 }
 
 /// Actions over which a rate of captures is averaged.
@@ -85,7 +88,8 @@ impl Course {
     }
 }
 
-/// The childhood of a learner: trained in the world of its seed, and ready to act.
+/// The childhood of a learner: trained in the world of its seed, and ready to act; answers what its
+/// worst step would have cost.
 ///
 /// # Errors
 /// [`Failure`] when the world cannot be built or the learner cannot learn.
@@ -94,9 +98,10 @@ pub fn raise(
     world: &WorldOptions,
     protocol: &Protocol,
     seed: u64,
-) -> Result<(), Failure> {
-    live(learner, &mut world.build(seed)?, protocol.training)?;
-    learner.act()
+) -> Result<Load, Failure> {
+    let lived = live(learner, &mut world.build(seed)?, protocol.training)?;
+    learner.act()?;
+    Ok(lived.load)
 }
 
 /// The world in which a seed's learners act; nobody has lived in it.
@@ -140,11 +145,14 @@ pub fn watched_course(
     let mut world = Damaged::new(world.into_world(), damage, seed)?;
     learner.hear(&damage);
     let after = watched(learner, &mut world, protocol.after, watch)?;
+    let mut load = before.load;
+    load.merge(&after.load);
     Ok(Course {
-        before,
-        after,
+        before: before.captures,
+        after: after.captures,
         reliabilities: [then, learner.reliabilities()],
         alarms: [calm, learner.alarms() - calm],
+        load,
     })
 }
 

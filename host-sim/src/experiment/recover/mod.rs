@@ -9,6 +9,7 @@ pub mod life;
 mod page;
 pub mod trial;
 
+use crate::meter::Load;
 use crate::options::{Failure, WorldOptions};
 use crate::progress::Progress;
 use crate::report::Results;
@@ -50,6 +51,7 @@ pub fn run(options: &RecoverOptions, progress: &Progress) -> Result<Results, Fai
         .into_iter()
         .collect::<Result<Vec<_>, _>>()?;
     let mut results = Results::new(claims::summary(options, &trials));
+    results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
     for (name, picture) in figures::all(options, &trials)? {
         results = results.picture(&name, picture);
     }

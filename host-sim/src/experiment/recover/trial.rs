@@ -2,7 +2,7 @@
 //!
 //! Measures only; what the numbers mean is said in `claims`.
 
-use cla_core::clasm::{Adaptation, AgentConfig, Fallback, Level2Config};
+use cla_core::clasm::{Adaptation, AgentConfig, Cost, Fallback, Level2Config};
 use cla_core::num::Rng;
 
 use super::RecoverOptions;
@@ -14,6 +14,7 @@ use crate::baseline::told::Told;
 use crate::learner::controller::Untaught;
 use crate::learner::forager::Forager;
 use crate::learner::{Learner, Thought, live};
+use crate::meter::Load;
 use crate::options::{Failure, WorldOptions};
 use crate::progress::Ticker;
 use crate::world::Percept;
@@ -116,6 +117,8 @@ pub struct Trial {
     /// Captures of 28 in 3000 actions with the first damage: frozen, and after the reliabilities
     /// have adapted; counted as the book counts.
     pub removed: [u32; 2],
+    /// What the worst step of all brains would have cost.
+    pub load: Load,
 }
 
 impl Trial {
@@ -155,8 +158,8 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
         world, protocol, ..
     } = options;
     let mut forager = Forager::born(AgentConfig::RESILIENT, Adaptation::Relearning, seed)?;
-    raise(&mut forager, world, protocol, seed)?;
-    let both = grown(world, protocol, seed)?;
+    let mut load = raise(&mut forager, world, protocol, seed)?;
+    let both = grown(world, protocol, seed, &mut load)?;
     let with = |fallback, surprise| -> Result<Box<dyn Learner>, Failure> {
         let mut it = both.clone();
         let level2 = Level2Config {
@@ -203,12 +206,17 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
             Entrant::Random => Box::new(Untaught::new(Random { actions: 6 }, seed)),
         })
     };
-    let mut trial = Trial::default();
+    let mut trial = Trial {
+        load,
+        ..Trial::default()
+    };
     for (index, &damage) in options.damages.iter().enumerate() {
         let mut lived = Vec::new();
         for &who in entrants(&damage) {
             let mut learner = enter(who)?;
-            lived.push((who, course(&mut *learner, world, protocol, damage, seed)?));
+            let course = course(&mut *learner, world, protocol, damage, seed)?;
+            trial.load.merge(&course.load);
+            lived.push((who, course));
             ticker.advance(u64::from(protocol.before + protocol.after));
             let place = match who {
                 _ if index > 0 => None,
@@ -229,13 +237,18 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
 const OVERLOADED: f32 = 0.8;
 
 /// A forager whose second level was trained for as long again as its first (6.2.4).
-fn grown(world: &WorldOptions, protocol: &Protocol, seed: u64) -> Result<Forager, Failure> {
+fn grown(
+    world: &WorldOptions,
+    protocol: &Protocol,
+    seed: u64,
+    load: &mut Load,
+) -> Result<Forager, Failure> {
     let mut forager = Forager::born(AgentConfig::FORAGER, Adaptation::Relearning, seed)?;
-    live(&mut forager, &mut world.build(seed)?, protocol.training)?;
+    load.merge(&live(&mut forager, &mut world.build(seed)?, protocol.training)?.load);
     let brain = forager.brain_mut();
     brain.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
     let mut other = world.build(Rng::stream(seed, 4).next_seed())?;
-    live(&mut forager, &mut other, protocol.training)?;
+    load.merge(&live(&mut forager, &mut other, protocol.training)?.load);
     forager.act()?;
     Ok(forager)
 }
@@ -256,7 +269,7 @@ fn of_28(
         layout: world.layout.clone(),
     };
     let mut world = Damaged::new(super::life::fresh(&world, seed)?, damage, seed)?;
-    Ok(live(learner, &mut world, 3000)?.iter().sum())
+    Ok(live(learner, &mut world, 3000)?.total())
 }
 
 /// A forager that stops adapting when the damage comes: what the experimenter freezes, not the
@@ -283,6 +296,10 @@ impl Learner for Freezing {
     fn hear(&mut self, _: &Damage) {
         // A forager that has acted can be frozen.
         let _ = self.0.brain_mut().act(Adaptation::Frozen);
+    }
+
+    fn cost(&self) -> Option<Cost> {
+        Some(self.0.brain().cost())
     }
 
     fn reliabilities(&self) -> Vec<f64> {

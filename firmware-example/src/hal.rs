@@ -1,0 +1,67 @@
+//! The robot itself: **put your part's serial port, motors and reset here**, and nothing else changes.
+//!
+//! What stands here serves the emulated board: its serial port is the emulator's standard input and
+//! output, it has no motors, and its program can end.
+
+use semihosting::io::{Read, Stdin, Stdout, Write, stdin, stdout};
+use semihosting::{eprintln, process};
+
+use crate::controller::{End, Heard, SafeStop, Wire};
+
+/// The serial port.
+pub struct Serial {
+    input: Stdin,
+    output: Stdout,
+}
+
+impl Serial {
+    /// Opens the port; `None` when there is none.
+    #[must_use]
+    pub fn open() -> Option<Self> {
+        match (stdin(), stdout()) {
+            (Ok(input), Ok(output)) => Some(Self { input, output }),
+            _ => {
+                eprintln!("the emulator gives no standard streams");
+                None
+            }
+        }
+    }
+}
+
+impl Wire for Serial {
+    /// On a robot: wait no longer than it may move without orders, then say [`Heard::Silence`].
+    fn hear(&mut self, bytes: &mut [u8]) -> Heard {
+        match self.input.read(bytes) {
+            Ok(0) | Err(_) => Heard::Gone,
+            Ok(count) => Heard::Bytes(count),
+        }
+    }
+
+    fn say(&mut self, bytes: &[u8]) -> bool {
+        self.output.write_all(bytes).is_ok()
+    }
+}
+
+/// The motors.
+pub struct Motors;
+
+impl SafeStop for Motors {
+    /// On a robot: bring everything that moves to rest, whatever state the program is in.
+    fn stop(&mut self) {
+        eprintln!("motors stopped");
+    }
+}
+
+/// What happens when nobody gives orders any more; the motors stand.
+///
+/// On a robot: reset the part, or wait for the next host.
+pub fn end(end: Option<End>) -> ! {
+    match end {
+        Some(End::Told) => process::exit(0),
+        Some(End::HostGone) => {
+            eprintln!("the host is gone");
+            process::exit(3);
+        }
+        None => process::exit(1),
+    }
+}
