@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::{error, fmt, fs};
 
-use cla_core::clasm::AgentConfig;
+use cla_core::clasm::{AgentConfig, ItemId};
 use cla_core::forager;
 use clap::Parser;
 
@@ -28,7 +28,7 @@ use crate::report::Results;
 use crate::world::config::{AfterCapture, PioneerConfig};
 use crate::world::damage::{Damage, Damaged};
 use crate::world::layout::Layout;
-use crate::world::microworld::item;
+use crate::world::microworld::{Body, Oracle, item};
 use crate::world::pioneer::{self, Pioneer};
 
 /// Most seeds of one run.
@@ -260,19 +260,32 @@ fn hil(args: &HilArgs) -> Result<Job, Impossible> {
 }
 
 fn microworld_options(args: &MicroworldArgs) -> Result<MicroworldOptions, Impossible> {
-    let goal = match &args.goal {
-        None => None,
-        Some(text) => {
-            let named = text.strip_prefix('+').and_then(item);
-            let unknown =
-                || Impossible::new(format!("--goal takes +ITEM of Table 5.2, not {text:?}"));
-            Some(named.ok_or_else(unknown)?)
-        }
-    };
+    let goal = args.goal.as_deref().map(microworld_goal).transpose()?;
     Ok(MicroworldOptions {
         seeds: seeds(&args.seeds)?,
         goal,
     })
+}
+
+/// The item that a goal such as `+taste1` turns on.
+fn microworld_goal(text: &str) -> Result<ItemId, Impossible> {
+    let named = text.strip_prefix('+').and_then(item).ok_or_else(|| {
+        Impossible::new(format!(
+            "--goal takes + and an item (such as +hp22, +vp33, +vf12, +tactl, +hgr or +taste1), \
+             not {text:?}"
+        ))
+    })?;
+    let oracle = Oracle::new(Body::Visible);
+    let on = |state: &usize| oracle.items(*state).contains(named);
+    match (0..oracle.states().len()).filter(on).count() {
+        0 => Err(Impossible::new(format!(
+            "--goal {text}: nothing in the Microworld turns this item on"
+        ))),
+        all if all == oracle.states().len() => Err(Impossible::new(format!(
+            "--goal {text}: this item is always on"
+        ))),
+        _ => Ok(named),
+    }
 }
 
 fn directory(args: &OutArgs, experiment: &str) -> PathBuf {
@@ -385,7 +398,7 @@ fn read_layout(path: &Path, radius: f64) -> Result<Layout, Impossible> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Impossible, WorldOptions, seeds};
+    use super::{Impossible, WorldOptions, microworld_goal, seeds};
     use crate::cli::{SeedArgs, WorldArgs};
 
     fn read(text: &str) -> Result<Vec<u64>, Impossible> {
@@ -415,6 +428,16 @@ mod tests {
         ] {
             let sentence = read(wrong).unwrap_err().to_string();
             assert!(!sentence.contains('\n') && !sentence.is_empty(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_goal_is_an_item_that_comes_and_goes() {
+        assert!(microworld_goal("+hp22").is_ok() && microworld_goal("+taste1").is_ok());
+        for wrong in ["", "+", "hp22", "-hp22", "+nothing", "+fovx0", "+hp22+vp22"] {
+            let sentence = microworld_goal(wrong).unwrap_err().to_string();
+            assert!(!sentence.contains('\n'), "{wrong}: {sentence}");
+            assert!(sentence.starts_with("--goal"), "{wrong}: {sentence}");
         }
     }
 

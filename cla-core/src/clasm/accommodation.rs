@@ -6,6 +6,7 @@
 //! Time and memory are bounded; the maps, when there are any, offer seeds (see `observe_seeded`).
 
 use super::action::ActionId;
+use super::attention::Attention;
 use super::evidence::{Evidence, Transition};
 use super::grow::{Conclusion, GrowthConfig, grow};
 use super::item::{ItemId, ItemSet};
@@ -49,8 +50,16 @@ impl AccommodationConfig {
         keep: 1.0,
         grace: 0,
         surprises: 16,
-        revisits: 4,
+        revisits: 16,
         doubt: 8,
+    };
+    /// For exact worlds and more memory than is needed: what has been tried thirty times is doubted
+    /// no more.
+    ///
+    /// More is foreseen early, and more of it wrongly.
+    pub const ROOMY: Self = Self {
+        doubt: 30,
+        ..Self::EXACT
     };
     /// For worlds whose actions sometimes fail.
     pub const TOLERANT: Self = Self {
@@ -245,7 +254,14 @@ impl<
             item,
             sign: seed.outcome(item)?,
         };
-        let schema = grow(seed, conclusion, reservoir.samples(), mode, growth)?;
+        let schema = grow(
+            seed,
+            conclusion,
+            reservoir.samples(),
+            mode,
+            Attention::NONE,
+            growth,
+        )?;
         Some(self.schemas.enter(schema))
     }
 
@@ -406,7 +422,9 @@ impl<
         };
         let conclusion = Conclusion { action, item, sign };
         let samples = reservoir.samples();
-        match grow(seed, conclusion, samples, eligible, &config.growth) {
+        let attention = Attention::of(action, self.schemas());
+        let growth = &config.growth;
+        match grow(seed, conclusion, samples, eligible, attention, growth) {
             Some(schema) => u16::from(self.schemas.enter(schema) == Entry::Stored),
             None => 0,
         }

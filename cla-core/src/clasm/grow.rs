@@ -5,6 +5,7 @@
 //! Nothing here is stored, and the work is bounded by samples × context items.
 
 use super::action::ActionId;
+use super::attention::Attention;
 use super::evidence::Evidence;
 use super::item::{ItemId, ItemSet};
 use super::notation::SchemaText;
@@ -31,6 +32,9 @@ pub struct GrowthConfig {
     pub generality: u8,
     /// The least number of remembered samples that agree with a schema; at least 1.
     pub support: u16,
+    /// By how much the item that most well-tried contexts of the action name outweighs one that none
+    /// names; 0 looks at all items alike.
+    pub attention: f32,
 }
 
 impl GrowthConfig {
@@ -40,6 +44,7 @@ impl GrowthConfig {
         negatives: 0.5,
         generality: 2,
         support: 1,
+        attention: 3.0,
     };
     /// For worlds whose actions sometimes fail.
     pub const TOLERANT: Self = Self {
@@ -61,6 +66,7 @@ struct Growth<'a, const WORDS: usize, E> {
     samples: &'a [E],
     conclusion: Conclusion,
     config: &'a GrowthConfig,
+    attention: Attention<WORDS>,
 }
 
 /// Samples that a context applies to: agreeing and contradicting.
@@ -79,12 +85,14 @@ pub(super) fn grow<const WORDS: usize, E: Evidence<WORDS>>(
     conclusion: Conclusion,
     samples: &[E],
     eligible: &ItemSet<WORDS>,
+    attention: Attention<WORDS>,
     config: &GrowthConfig,
 ) -> Option<SimpleSchema> {
     let growth = Growth {
         samples,
         conclusion,
         config,
+        attention,
     };
     let mut context = SignedItems::EMPTY;
     let (on, off) = (seed.on_before(), seed.off_before());
@@ -121,6 +129,7 @@ pub(super) fn reduce<const WORDS: usize, E: Evidence<WORDS>>(
         samples,
         conclusion,
         config,
+        attention: Attention::NONE,
     };
     let tally = growth.tally(&context);
     if !growth.accepts(tally) || tally.agree < config.support {
@@ -217,7 +226,8 @@ impl<const WORDS: usize, E: Evidence<WORDS>> Growth<'_, WORDS, E> {
             } else {
                 self.config.negatives
             };
-            let gain = weight * gain(tally, left, self.config.generality);
+            let familiar = self.attention.weight(item, self.config.attention);
+            let gain = weight * familiar * gain(tally, left, self.config.generality);
             if gain > best.map_or(0.0, |(other, _)| other) {
                 best = Some((gain, item));
             }

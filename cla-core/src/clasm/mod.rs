@@ -10,6 +10,7 @@ mod action;
 mod action_som;
 mod agent;
 mod applicable;
+mod attention;
 mod base_rate;
 mod belief;
 mod brain;

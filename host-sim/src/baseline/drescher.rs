@@ -8,7 +8,9 @@
 //! Literally, every activation is a trial; tuned, only one where the result does not hold already,
 //! so that results are transitions and staying as it is counts for nothing.
 //! Unreliable schemas may be reified as synthetic items, which are tracked like primitive ones, and
-//! its schemas serve composite actions; results stay single, so conjunctions are made in contexts.
+//! its schemas serve composite actions.
+//! The contexts of reliable schemas may become results: what an action must bring about as a whole is
+//! tracked like an item, so that chains find their links.
 
 use cla_core::clasm::{
     ActionId, ItemId, ItemStates, SchemaText, SignedItems, SimpleSchema, SyntheticItems, Transition,
@@ -17,11 +19,11 @@ use cla_core::clasm::{
 use crate::world::microworld::{ACTIONS, ITEMS, Items, WORDS};
 
 const ITEM_COUNT: usize = ITEMS.len();
-/// The most synthetic items: what is left of an item set.
+/// The most synthetic items and tracked conjunctions together: what is left of an item set.
 pub const SYNTHETIC: usize = WORDS * 32 - ITEM_COUNT;
 /// All items that may be tracked.
 const TRACKED: usize = ITEM_COUNT + SYNTHETIC;
-/// Trials after which an unreliable schema is reified.
+/// Trials after which an unreliable schema is reified, and a reliable one's context may be a result.
 const REIFIED_AFTER: u8 = 30;
 
 /// How schemas spin off.
@@ -75,6 +77,9 @@ pub struct DrescherConfig {
     pub memory: usize,
     /// Unreliable schemas that are reified, up to [`SYNTHETIC`].
     pub synthetic: usize,
+    /// Contexts of reliable schemas that are tracked as results, up to [`SYNTHETIC`] less the
+    /// synthetic items.
+    pub conjunctions: usize,
 }
 
 impl DrescherConfig {
@@ -87,6 +92,7 @@ impl DrescherConfig {
         reliable: 0.95,
         memory: 8_000_000,
         synthetic: 0,
+        conjunctions: 0,
     };
     /// The restricted variant as Drescher words it.
     pub const LITERAL: Self = Self {
@@ -98,11 +104,23 @@ impl DrescherConfig {
         synthetic: SYNTHETIC,
         ..Self::RESTRICTED
     };
+    /// The restricted variant with conjunctive results.
+    pub const CONJUNCTIVE: Self = Self {
+        conjunctions: SYNTHETIC,
+        ..Self::RESTRICTED
+    };
     /// The unrestricted variant.
     pub const UNRESTRICTED: Self = Self {
         variant: Variant::Unrestricted,
         ..Self::RESTRICTED
     };
+}
+
+impl DrescherConfig {
+    /// Items, synthetic items and conjunctions that results are attributed to.
+    const fn tracked(&self) -> usize {
+        ITEM_COUNT + self.synthetic + self.conjunctions
+    }
 }
 
 /// Successes among trials, a byte each.
@@ -160,6 +178,8 @@ pub struct Drescher {
     bare: Vec<Bare>,
     schemas: Vec<Attributing>,
     items: SyntheticItems<WORDS, SYNTHETIC>,
+    /// Contexts that are tracked as results; the first one's id follows the synthetic items.
+    conjunctions: Vec<SignedItems<WORDS>>,
 }
 
 impl Drescher {
@@ -168,13 +188,15 @@ impl Drescher {
     pub fn new(config: DrescherConfig) -> Self {
         let bare = Bare {
             trials: 0,
-            turned: vec![[0; 2]; ITEM_COUNT + config.synthetic],
+            turned: vec![[0; 2]; config.tracked()],
         };
+        assert!(config.tracked() <= TRACKED, "more items than fit their set");
         Self {
             config,
             bare: vec![bare; ACTIONS.len()],
             schemas: Vec::new(),
             items: SyntheticItems::new(ITEM_COUNT as u16),
+            conjunctions: Vec::new(),
         }
     }
 
@@ -188,7 +210,7 @@ impl Drescher {
 
     /// Bytes of one bare schema: turned on and turned off, with two-byte counters.
     const fn bare_bytes(&self) -> usize {
-        4 * (ITEM_COUNT + self.config.synthetic) + 4
+        4 * self.config.tracked() + 4
     }
 
     /// Its memory, bytes.
@@ -198,6 +220,7 @@ impl Drescher {
         ACTIONS.len() * self.bare_bytes()
             + self.schemas.len() * self.schema_bytes()
             + size_of_val(items)
+            + size_of_val(self.conjunctions.as_slice())
     }
 
     /// All schemas, those about synthetic items included.
@@ -222,22 +245,62 @@ impl Drescher {
     #[must_use]
     pub fn chainable(&self, trials: u8) -> Vec<SimpleSchema> {
         let tried = self.schemas.iter().filter(|it| it.all.trials >= trials);
-        let packed = tried.filter_map(|it| {
-            let mut schema = SimpleSchema::pack(&it.text(self.config.counted))?;
-            for trial in 0..it.all.trials {
-                schema.record(trial < it.all.successes);
-            }
-            Some(schema)
+        let packed = tried.flat_map(|it| {
+            let text = self.text(it);
+            let single = single_results(&text).filter_map(|text| SimpleSchema::pack(&text));
+            single
+                .map(|mut schema| {
+                    for trial in 0..it.all.trials {
+                        schema.record(trial < it.all.successes);
+                    }
+                    schema
+                })
+                .collect::<Vec<_>>()
         });
         packed.collect()
+    }
+
+    /// Its schemas with a conjunction for their result.
+    #[must_use]
+    pub fn conjunctive(&self) -> Vec<SchemaText<WORDS>> {
+        let texts = self.schemas.iter().map(|it| self.text(it));
+        texts.filter(|text| text.result.len() > 1).collect()
+    }
+
+    /// What a schema says; a conjunction is spelled out.
+    fn text(&self, schema: &Attributing) -> SchemaText<WORDS> {
+        let mut text = schema.text(self.config.counted);
+        let result = schema.schema.result_item();
+        if let Some(conjunction) = self.conjunction(result) {
+            // That not all of it held before cannot be said in a context.
+            text.context.remove(result);
+            text.result = *conjunction;
+        }
+        text
+    }
+
+    /// The conjunction that an id stands for.
+    fn conjunction(&self, item: ItemId) -> Option<&SignedItems<WORDS>> {
+        let first = ITEM_COUNT + self.config.synthetic;
+        self.conjunctions
+            .get(usize::from(item.0).checked_sub(first)?)
+    }
+
+    /// Whether a schema names no synthetic item.
+    fn is_primitive(&self, schema: &Attributing) -> bool {
+        let text = self.text(schema);
+        let primitive = Items::first(ITEM_COUNT as u16);
+        [&text.context, &text.result].into_iter().all(|side| {
+            side.positive().is_subset(&primitive) && side.negative().is_subset(&primitive)
+        })
     }
 
     /// What each schema of primitive items says; where it speaks of transitions, with the prior state of its result
     /// item in its context.
     #[must_use]
     pub fn schemas(&self) -> Vec<SchemaText<WORDS>> {
-        let primitive = self.schemas.iter().filter(|it| it.is_primitive());
-        primitive.map(|it| it.text(self.config.counted)).collect()
+        let primitive = self.schemas.iter().filter(|it| self.is_primitive(it));
+        primitive.map(|it| self.text(it)).collect()
     }
 
     /// The schemas that it holds reliable itself after at least `trials` trials.
@@ -246,15 +309,16 @@ impl Drescher {
         let believed = self
             .schemas
             .iter()
-            .filter(|it| it.is_primitive())
+            .filter(|it| self.is_primitive(it))
             .filter(|it| it.all.trials >= trials && it.reliability() >= reliability);
-        believed.map(|it| it.text(self.config.counted)).collect()
+        believed.map(|it| self.text(it)).collect()
     }
 
     /// Learns from one action; synthetic items that nobody knows count as off.
     pub fn learn(&mut self, action: ActionId, step: &Transition<WORDS>) {
         if self.config.synthetic == 0 {
-            return self.learn_all(action, step);
+            self.learn_completed(action, *step);
+            return;
         }
         let sensed = |on: &Items| ItemStates::from_sets(on, &Items::first(ITEM_COUNT as u16));
         let (before, after) = (sensed(&step.before), sensed(&step.after));
@@ -262,8 +326,41 @@ impl Drescher {
         self.items.complete(&before, action, &after);
         let after = self.items.view(&after);
         let (before, after) = (*before.on(), *after.on());
-        self.learn_all(action, &Transition { before, after });
+        self.learn_completed(action, Transition { before, after });
         self.reify();
+    }
+
+    /// Adds the conjunctions that hold.
+    fn learn_completed(&mut self, action: ActionId, mut step: Transition<WORDS>) {
+        if self.config.conjunctions > 0 {
+            let first = ITEM_COUNT + self.config.synthetic;
+            for (place, conjunction) in self.conjunctions.iter().enumerate() {
+                for on in [&mut step.before, &mut step.after] {
+                    let holds = conjunction.positive().is_subset(on)
+                        && conjunction.negative().is_disjoint(on);
+                    if holds {
+                        let id = ItemId((first + place) as u16);
+                        on.insert(id).expect("the item sets have room for it");
+                    }
+                }
+            }
+        }
+        self.learn_all(action, &step);
+        self.track();
+    }
+
+    /// Tracks the first context of several items that many trials show to be enough.
+    fn track(&mut self) {
+        if self.conjunctions.len() >= self.config.conjunctions {
+            return;
+        }
+        let reliable = self.schemas.iter().find_map(|it| {
+            let context = it.schema.text().context;
+            let is_new = context.len() > 1 && !self.conjunctions.contains(&context);
+            let proved = it.all.trials >= REIFIED_AFTER && it.reliability() >= self.config.reliable;
+            (is_new && proved && self.is_primitive(it)).then_some(context)
+        });
+        self.conjunctions.extend(reliable);
     }
 
     /// Makes a synthetic item of the first schema that many trials show to be unreliable.
@@ -278,7 +375,7 @@ impl Drescher {
             let known = self.items.as_slice();
             it.all.trials >= REIFIED_AFTER
                 && between
-                && it.is_primitive()
+                && self.is_primitive(it)
                 && known.iter().all(|item| *item.schema() != text)
         });
         if let Some(text) = unreliable.map(|it| it.text(self.config.counted)) {
@@ -322,7 +419,12 @@ impl Drescher {
         let own = usize::from(action.0);
         self.bare[own].trials += 1;
         for item in step.changed().iter() {
-            let (item, sign) = (usize::from(item.0), step.after.contains(item));
+            let sign = step.after.contains(item);
+            // That a conjunction has ended is no conjunction.
+            if !sign && self.conjunction(item).is_some() {
+                continue;
+            }
+            let item = usize::from(item.0);
             self.bare[own].turned[item][usize::from(sign)] += 1;
             let rate = |bare: &Bare| {
                 f64::from(bare.turned[item][usize::from(sign)]) / f64::from(bare.trials.max(1))
@@ -360,6 +462,21 @@ impl Drescher {
     }
 }
 
+/// The same schema once for each of its result items.
+fn single_results(text: &SchemaText<WORDS>) -> impl Iterator<Item = SchemaText<WORDS>> + use<> {
+    let on = text.result.positive().iter().map(|item| (item, true));
+    let off = text.result.negative().iter().map(|item| (item, false));
+    let all: Vec<_> = on.chain(off).collect();
+    let text = *text;
+    all.into_iter().map(move |(item, sign)| {
+        let mut result = SignedItems::EMPTY;
+        result
+            .insert(item, sign)
+            .expect("it was in a set of the same size");
+        SchemaText { result, ..text }
+    })
+}
+
 impl Attributing {
     fn text(&self, counted: Trials) -> SchemaText<WORDS> {
         let mut text = self.schema.text();
@@ -370,12 +487,6 @@ impl Attributing {
             .insert(self.schema.result_item(), !self.schema.result_sign())
             .expect("the Microworld's items fit its words");
         text
-    }
-
-    /// Whether it names no synthetic item.
-    fn is_primitive(&self) -> bool {
-        let named = |item: ItemId| usize::from(item.0) < ITEM_COUNT;
-        named(self.schema.result_item()) && self.schema.context().all(|(item, _)| named(item))
     }
 
     fn reliability(&self) -> f32 {
@@ -458,87 +569,5 @@ impl Attributing {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::{Drescher, DrescherConfig};
-    use crate::experiment::microworld::goals::Chains;
-    use crate::experiment::microworld::level1::Life;
-    use crate::world::microworld::{Body, Family, Oracle};
-
-    fn grown(config: DrescherConfig, steps: u32) -> Drescher {
-        let (mut life, mut mechanism) = (Life::new(3, Body::Visible, 0.0), Drescher::new(config));
-        for _ in 0..steps {
-            let (action, step) = life.step();
-            mechanism.learn(action, &step);
-        }
-        mechanism
-    }
-
-    #[test]
-    fn it_learns_how_hand_and_eye_move() {
-        let oracle = Oracle::new(Body::Visible);
-        let mechanism = grown(DrescherConfig::RESTRICTED, 5000);
-        let recall = oracle.recall(&mechanism.schemas(), 0.9);
-        for family in [Family::EyeProprioception, Family::HandProprioception] {
-            let share = recall.of(family);
-            assert!((0.9..=1.0).contains(&share), "{}: {share}", family.name());
-        }
-    }
-
-    #[test]
-    fn with_synthetic_items_it_tracks_more_and_pays_for_it() {
-        let (plain, complete) = (
-            grown(DrescherConfig::RESTRICTED, 3000),
-            grown(DrescherConfig::COMPLETE, 3000),
-        );
-        assert_eq!(plain.items().as_slice().len(), 0);
-        assert_eq!(complete.items().as_slice().len(), super::SYNTHETIC);
-        assert_eq!(
-            complete.schema_bytes() - plain.schema_bytes(),
-            2 * super::SYNTHETIC
-        );
-        // Some schemas speak of synthetic items, and the truth is not asked about those.
-        assert!(complete.len() > complete.schemas().len() + 20);
-        assert_eq!(plain.len(), plain.schemas().len());
-        let in_contexts = complete.schemas.iter().filter(|it| {
-            usize::from(it.schema.result_item().0) < super::ITEM_COUNT && !it.is_primitive()
-        });
-        assert!(
-            in_contexts.count() > 10,
-            "items of its own stand in contexts"
-        );
-    }
-
-    #[test]
-    fn its_schemas_serve_composite_actions() {
-        let mechanism = grown(DrescherConfig::RESTRICTED, 5000);
-        let chainable = mechanism.chainable(20);
-        assert!(chainable.len() > 200, "{}", chainable.len());
-        let oracle = Oracle::new(Body::Visible);
-        let mut chains = Chains::new(&oracle, &chainable, &["hp22"]);
-        let hand = oracle.states().iter().filter(|state| {
-            let next = chains.next(0, state);
-            next.is_some_and(|action| action.0 < 4)
-        });
-        let share = hand.count() as f64 / oracle.states().len() as f64;
-        assert!(share > 0.6, "by hand actions towards a hand goal: {share}");
-    }
-
-    #[test]
-    fn unrestricted_it_grows_much_faster_and_memory_stops_it() {
-        let count = |config| grown(config, 1500).schemas().len();
-        let (restricted, unrestricted) = (
-            count(DrescherConfig::RESTRICTED),
-            count(DrescherConfig::UNRESTRICTED),
-        );
-        assert!(
-            unrestricted > 2 * restricted,
-            "{restricted}, {unrestricted}"
-        );
-        let small = DrescherConfig {
-            memory: 50_000,
-            ..DrescherConfig::UNRESTRICTED
-        };
-        let bounded = grown(small, 1500);
-        assert!((49_000..=50_000).contains(&bounded.bytes()));
-    }
-}
+#[path = "drescher_tests.rs"]
+mod tests;

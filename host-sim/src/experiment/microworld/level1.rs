@@ -30,6 +30,8 @@ pub type FloatBank = ActionSomBank<10, 10, ITEM_COUNT, ACTION_COUNT>;
 pub type ByteBank = ActionSomBank<10, 10, ITEM_COUNT, ACTION_COUNT, ByteSom<10, 10, ITEM_COUNT>>;
 /// Accommodation alone, in at most 64 kB.
 pub type Mind = Accommodation<WORDS, 150, 1500, ACTION_COUNT>;
+/// Accommodation alone, in at most 200 kB.
+pub type RoomyMind = Accommodation<WORDS, 448, 5400, ACTION_COUNT>;
 /// What fits beside byte maps in 200 kB.
 pub type SeededMind = Accommodation<WORDS, 88, 1250, ACTION_COUNT>;
 

@@ -64,12 +64,18 @@ pub struct Level2 {
     pub objects: Vec<(usize, ItemId)>,
 }
 
-/// Runs the composite actions with the schemas of level 1 and learns from their successes.
+/// Runs the composite actions with the schemas of level 1 and learns from their successes; each
+/// primitive action that they run is shown to `primitive`, for level 1 to learn from.
 #[must_use]
-pub fn learn(seed: u64, oracle: &Oracle, chains: &mut Chains) -> Level2 {
+pub fn learn(
+    seed: u64,
+    oracle: &Oracle,
+    chains: &mut Chains,
+    primitive: impl FnMut(ActionId, &Step),
+) -> Level2 {
     let mut rng = Rng::stream(seed, 55);
     let mut found = Level2::default();
-    let samples = explore(seed, oracle, chains, &mut found, &mut rng);
+    let samples = explore(seed, oracle, chains, primitive, &mut found, &mut rng);
     found.judge_modes(&samples, &mut rng);
     found.judge_cross_modal(&samples, oracle, &mut rng);
     found
@@ -80,6 +86,7 @@ fn explore(
     seed: u64,
     oracle: &Oracle,
     chains: &mut Chains,
+    mut primitive: impl FnMut(ActionId, &Step),
     found: &mut Level2,
     rng: &mut Rng,
 ) -> Vec<Vec<Step>> {
@@ -100,6 +107,12 @@ fn explore(
             let Course { reached, steps } = pursue(goal(item), start, perceive, next);
             if let Some(&(_, end)) = steps.last() {
                 world.set_state(end);
+            }
+            let mut at = before;
+            for &(action, state) in &steps {
+                let after = perceive(&state);
+                primitive(action, &Step { before: at, after });
+                at = after;
             }
             found.attempts.0 += 1;
             if reached {
@@ -217,6 +230,7 @@ const CROSS_MODAL: GrowthConfig = GrowthConfig {
     negatives: 0.0,
     generality: 0,
     support: 3,
+    attention: 0.0,
 };
 
 /// The sides of the hand and the regions of the fovea, front, back, right, left.

@@ -139,7 +139,11 @@ fn pursue(item: ItemId, seed: u64, oracle: &Oracle, summary: &mut Summary) {
         table.row([(step + 1).into(), name.into()]);
     }
     let end = if course.reached { "reached" } else { "failed" };
-    println!("{end} after {} steps\n", course.steps.len());
+    let steps = course.steps.len();
+    println!(
+        "{end} after {steps} step{}\n",
+        if steps == 1 { "" } else { "s" }
+    );
     summary.parameter("goal", VOCABULARY.item_name(item));
     summary.parameter("reached", course.reached);
     summary.table("steps", table);

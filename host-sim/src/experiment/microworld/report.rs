@@ -5,10 +5,12 @@ use cla_core::clasm::Detail;
 
 use super::catalogue::{Found, equations};
 use super::goals::Planning;
-use super::level1::{Clasm, Mind};
+use super::level1::{Clasm, Mind, RoomyMind};
 use super::synthetic::{Memory, Synthetic};
 use super::trial::{Growth, MOMENTS, Trial, by_family};
-use crate::report::figure::{Axes, FigureError, Line, Picture, Point, line_chart};
+use crate::report::figure::{
+    Axes, Board, FigureError, Line, Picture, Point, board_pairs, line_chart,
+};
 use crate::report::{Table, mean};
 use crate::world::microworld::{Oracle, Recall, VOCABULARY};
 
@@ -83,10 +85,12 @@ type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
 /// One learner's growth: its name, and where a trial has it.
 type Learner = (&'static str, fn(&Trial) -> &Vec<Growth>);
 
-const LEARNERS: [Learner; 6] = [
+const LEARNERS: [Learner; 8] = [
     ("accommodation, 62 kB", |it| &it.growth),
+    ("accommodation, 198 kB", |it| &it.roomy),
     ("Drescher, tuned", |it| &it.drescher),
     ("Drescher, literal", |it| &it.literal),
+    ("Drescher, with conjunctive results", |it| &it.conjunctive),
     ("Drescher, with synthetic items", |it| &it.complete),
     ("Drescher, unrestricted", |it| &it.unrestricted),
     ("Drescher, tuned, in 200 kB", |it| &it.bounded),
@@ -134,8 +138,8 @@ pub fn growth(trials: &[Trial]) -> Table {
     table
 }
 
-/// The last actions of the first seed's life with synthetic items: the world beside what is
-/// believed of it without looking (see [`picture`](super::picture) for the marks).
+/// Composite actions at the end of the first seed's life with synthetic items: the world beside
+/// what is believed of it without looking (see [`picture`](super::picture) for the marks).
 #[must_use]
 pub fn believed(trials: &[Trial]) -> Table {
     let mut table = Table::new(&["action", "world", "where the ball is believed to be felt"]);
@@ -147,12 +151,39 @@ pub fn believed(trials: &[Trial]) -> Table {
     table
 }
 
+/// The same as a figure.
+fn believed_figure(trials: &[Trial]) -> Result<Picture, FigureError> {
+    let pictures = trials
+        .first()
+        .into_iter()
+        .flat_map(|it| &it.synthetic.pictures);
+    let pairs: Vec<[Board; 2]> = pictures
+        .enumerate()
+        .map(|(index, [action, world, believed])| {
+            // The mouth's line is no row of cells.
+            let cells: Vec<&str> = world.lines().filter(|line| !line.contains('^')).collect();
+            let after = format!("{}. {action}", index + 1);
+            [
+                Board::new(&after, &cells.join("\n")),
+                Board::new("believed", believed),
+            ]
+        })
+        .collect();
+    board_pairs(
+        "Persistent objects: the world, and where the ball is believed to be felt",
+        4,
+        &pairs,
+        "E eye, h hand (H closed), disc: ball (G gripped, * under the hand); grey: nothing is known",
+    )
+}
+
 /// The memory of the parts, bytes.
 #[must_use]
 pub fn memory() -> Table {
     let mut table = Table::new(&["part", "bytes"]);
     for (part, bytes) in [
         ("accommodation: table and reservoirs", size_of::<Mind>()),
+        ("the same, roomy", size_of::<RoomyMind>()),
         ("byte maps, table and reservoirs", Clasm::BYTES),
         ("planner", size_of::<Planning>()),
         (
@@ -169,13 +200,23 @@ pub fn memory() -> Table {
     table
 }
 
-/// Growth curves: one figure a quantity.
+/// Learners that are in the table only: their curves lie on another's, or are a single point.
+const NOT_DRAWN: [&str; 3] = [
+    "Drescher, with conjunctive results",
+    "Drescher, with synthetic items",
+    "Drescher, unrestricted",
+];
+
+/// Growth curves, one figure a quantity, and what is believed of the world.
 ///
 /// # Errors
 /// [`FigureError`] when nothing could be drawn.
 pub fn figures(trials: &[Trial]) -> Result<Vec<(&'static str, Picture)>, FigureError> {
-    let quantities: [Quantity; 4] = [
+    let quantities: [Quantity; 5] = [
         ("recall", "share of all item changes", |it| it.recall),
+        ("precision", "share of predicted changes that come", |it| {
+            it.precision
+        }),
         ("schemas", "schemas", |it| it.schemas as f64),
         ("bytes", "bytes, log10", |it| (it.bytes as f64).log10()),
         ("time", "µs a step, log10", |it| {
@@ -187,6 +228,7 @@ pub fn figures(trials: &[Trial]) -> Result<Vec<(&'static str, Picture)>, FigureE
         .map(|(name, unit, of)| {
             let lines: Vec<Line> = LEARNERS
                 .into_iter()
+                .filter(|learner| !NOT_DRAWN.contains(&learner.0))
                 .map(|learner| {
                     let points = MOMENTS.into_iter().filter_map(|steps| {
                         let values = means(trials, learner, steps, of);
@@ -199,5 +241,6 @@ pub fn figures(trials: &[Trial]) -> Result<Vec<(&'static str, Picture)>, FigureE
             let axes = Axes::new(&format!("Microworld: {name}"), "steps, log10", unit);
             Ok((name, line_chart(&axes, &lines)?))
         })
+        .chain([believed_figure(trials).map(|figure| ("believed", figure))])
         .collect()
 }

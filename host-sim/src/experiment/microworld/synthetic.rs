@@ -16,9 +16,7 @@ use super::goals::{Chains, STEP_LIMIT};
 use super::level1::{ACTION_COUNT, ITEM_COUNT};
 use super::level2::{GOALS, end_of};
 use super::picture;
-use crate::world::microworld::{
-    Cell, Items, Oracle, REACH, State, StateSet, VOCABULARY, item, set_of,
-};
+use crate::world::microworld::{Cell, Items, Oracle, REACH, State, StateSet, item, set_of};
 
 /// Words of a set with the 76 primitive items and room for 178 synthetic ones.
 pub const WIDE: usize = 8;
@@ -45,6 +43,7 @@ const CONFIG_OF_GROWTH: AccommodationConfig = AccommodationConfig {
     growth: GrowthConfig {
         support: 2,
         tolerance: 0.05,
+        attention: 0.0,
         ..GrowthConfig::EXACT
     },
     keep: 0.9,
@@ -74,12 +73,12 @@ pub struct Findings {
     pub known: f64,
     /// Of those, the share that was known rightly.
     pub right: f64,
-    /// The last primitive actions of the life: the action, the world after it, and where the ball
+    /// Composite actions at the end of the life: the action, the world after it, and where the ball
     /// is believed to be felt.
     pub pictures: Vec<[String; 3]>,
 }
 
-/// Primitive actions that are pictured.
+/// Composite actions that are pictured.
 const PICTURED: usize = 12;
 
 /// A life with synthetic items.
@@ -199,18 +198,18 @@ impl<'a> Believer<'a> {
             literal: about_others(self.literal.schemas()).len(),
             known: share(known, open),
             right: share(right, known),
-            pictures: self.pictures(),
+            pictures: self.pictures(chains),
         }
     }
 
-    /// A few random actions more, without learning, each with what is there and what is believed.
-    fn pictures(&mut self) -> Vec<[String; 3]> {
+    /// A few composite actions more, each with what is there and what is believed at its end.
+    fn pictures(&mut self, chains: &mut Chains) -> Vec<[String; 3]> {
         let mut pictures = Vec::new();
         for _ in 0..PICTURED {
-            let action = ActionId(self.rng.below(ACTION_COUNT as u32) as u16);
-            self.primitive(action);
+            let composite = self.rng.below(18) as usize;
+            self.composite(composite, chains);
             pictures.push([
-                VOCABULARY.action_name(action).to_owned(),
+                format!("<+{}>", GOALS[composite]),
                 picture::world(&self.state),
                 self.felt_ball(),
             ]);

@@ -5,14 +5,14 @@
 
 use std::time::Instant;
 
-use cla_core::clasm::AccommodationConfig;
+use cla_core::clasm::{AccommodationConfig, SimpleSchema};
 use cla_core::num::Rng;
 
 use super::catalogue::{
     Found, Schema, VALID, among_simple_schemas, among_whole_schemas, equations, saying,
 };
 use super::goals::{Chains, GOALS, Planning, Strategy, success};
-use super::level1::{Clasm, Life, Maps, Mind};
+use super::level1::{Clasm, Life, Maps, Mind, RoomyMind};
 use super::level2::{self, Level2};
 use super::synthetic::{self, Believer, Findings};
 use crate::baseline::drescher::{Drescher, DrescherConfig};
@@ -37,6 +37,7 @@ pub const COMPLETE_STEPS: u32 = 3_000;
 pub const UNRESTRICTED_STEPS: u32 = 1_000;
 /// The memory of the comparison at equal memory, bytes.
 pub const EQUAL_MEMORY: usize = 200_000;
+const _: () = assert!(size_of::<RoomyMind>() <= EQUAL_MEMORY && Clasm::BYTES <= EQUAL_MEMORY);
 /// A simple schema has to be tried or remembered so often before the agent believes it.
 pub const BELIEVED_TRIALS: u16 = 4;
 /// The slip of the noisy world.
@@ -85,11 +86,16 @@ pub struct Trial {
     pub foreseen: Vec<f64>,
     /// Accommodation alone at the [`MOMENTS`].
     pub growth: Vec<Growth>,
+    /// The same in [`EQUAL_MEMORY`], up to [`BOUNDED_STEPS`].
+    pub roomy: Vec<Growth>,
     /// Recall at 10,000 steps where 5 % of the actions slip.
     pub slipping: f64,
     /// For each of [`GOALS`], success after [`EARLY`] and after all steps by search, and after all
     /// by the book's chain.
     pub goals: Vec<[f64; 3]>,
+    /// Recall of accommodation alone after it has learned from the primitive actions of the composite
+    /// ones too.
+    pub practised: f64,
     /// What level 2 found.
     pub level2: Level2,
     /// What a life with synthetic items showed.
@@ -103,6 +109,12 @@ pub struct Trial {
     /// For each of [`GOALS`], success by the book's chain over its schemas after
     /// [`DRESCHER_STEPS`].
     pub drescher_goals: Vec<f64>,
+    /// Tuned, with conjunctive results.
+    pub conjunctive: Vec<Growth>,
+    /// Its schemas with such a result after [`DRESCHER_STEPS`].
+    pub conjunctive_schemas: usize,
+    /// For each of [`GOALS`], success by the book's chain over its schemas then.
+    pub conjunctive_goals: Vec<f64>,
     /// Every relevant item of every schema spins off.
     pub unrestricted: Vec<Growth>,
     /// Tuned, in no more than [`EQUAL_MEMORY`].
@@ -128,14 +140,20 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
     let grown = grow(seed, oracle);
     ticker.advance(1);
     let mut chains = Chains::new(oracle, grown.mind.schemas(), &level2::GOALS);
-    let level2 = level2::learn(seed, oracle, &mut chains);
+    let mut practised = grown.mind.clone();
+    let mut rng = Rng::stream(seed, 60);
+    let level2 = level2::learn(seed, oracle, &mut chains, |action, step| {
+        practised.observe(action, step, &AccommodationConfig::EXACT, &mut rng);
+    });
     ticker.advance(1);
     let mut believer = Believer::new(seed, oracle, &level2.objects);
     let synthetic = believer.live(&mut chains, synthetic::COMPOSITES);
     ticker.advance(1);
-    let known = texts(&grown.mind);
+    let known = texts(grown.mind.schemas());
     let (drescher, mechanism) =
         attribution(seed, oracle, DrescherConfig::RESTRICTED, DRESCHER_STEPS);
+    let (conjunctive, whole) =
+        attribution(seed, oracle, DrescherConfig::CONJUNCTIVE, DRESCHER_STEPS);
     let trial = Trial {
         raw: oracle.recall(&raw, VALID),
         raw_schemas: raw.len(),
@@ -153,12 +171,17 @@ pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
             .map(|it| saying(&it.schema, &known, oracle).foreseen)
             .collect(),
         growth: grown.growth,
+        roomy: roomy(seed, oracle),
         slipping: slipping(seed, oracle),
         goals: grown.goals,
+        practised: oracle.recall(&texts(practised.schemas()), VALID).total(),
         level2,
         synthetic,
         drescher,
         drescher_goals: chained(seed, oracle, &mechanism),
+        conjunctive,
+        conjunctive_schemas: whole.conjunctive().len(),
+        conjunctive_goals: chained(seed, oracle, &whole),
         literal: attribution(seed, oracle, DrescherConfig::LITERAL, LITERAL_STEPS).0,
         complete: attribution(seed, oracle, DrescherConfig::COMPLETE, COMPLETE_STEPS).0,
         unrestricted: attribution(
@@ -209,21 +232,8 @@ fn grow(seed: u64, oracle: &Oracle) -> Grown {
         mind.observe(action, &sample, &AccommodationConfig::EXACT, &mut rng);
         spent += begun.elapsed().as_secs_f64() * 1e6;
         if MOMENTS.contains(&step) {
-            let known = texts(&mind);
-            let believed = mind.schemas().iter().filter(|it| {
-                it.reliability() >= VALID as f32 && it.activations() >= BELIEVED_TRIALS
-            });
-            let believed: Vec<Schema> = believed.map(|it| it.text()).collect();
-            let predicted = oracle.predicted(&believed);
-            growth.push(Growth {
-                steps: step,
-                recall: oracle.recall(&known, VALID).total(),
-                own_recall: predicted.total(),
-                precision: predicted.precision(),
-                schemas: known.len(),
-                bytes: size_of::<Mind>(),
-                micros: spent / f64::from(step),
-            });
+            let bytes = size_of::<Mind>();
+            growth.push(measured(oracle, mind.schemas(), step, bytes, spent));
         }
         if step == EARLY || step == STEPS {
             let mut tries = Rng::stream(seed, 57);
@@ -270,8 +280,50 @@ pub fn educated(seed: u64, steps: u32) -> (Box<Mind>, Box<Planning>) {
     (mind, planner)
 }
 
-fn texts(mind: &Mind) -> Vec<Schema> {
-    mind.schemas().iter().map(|it| it.text()).collect()
+/// What simple schemas know after so many steps, in so many bytes and µs of learning.
+fn measured(
+    oracle: &Oracle,
+    schemas: &[SimpleSchema],
+    steps: u32,
+    bytes: usize,
+    spent: f64,
+) -> Growth {
+    let believed = schemas
+        .iter()
+        .filter(|it| it.reliability() >= VALID as f32 && it.activations() >= BELIEVED_TRIALS);
+    let believed: Vec<Schema> = believed.map(|it| it.text()).collect();
+    let predicted = oracle.predicted(&believed);
+    Growth {
+        steps,
+        recall: oracle.recall(&texts(schemas), VALID).total(),
+        own_recall: predicted.total(),
+        precision: predicted.precision(),
+        schemas: schemas.len(),
+        bytes,
+        micros: spent / f64::from(steps),
+    }
+}
+
+fn roomy(seed: u64, oracle: &Oracle) -> Vec<Growth> {
+    let mut life = Life::new(seed, Body::Visible, 0.0);
+    let mut rng = Rng::stream(seed, 56);
+    let mut mind = Box::<RoomyMind>::default();
+    let (mut growth, mut spent) = (Vec::new(), 0.0);
+    for step in 1..=BOUNDED_STEPS {
+        let (action, sample) = life.step();
+        let begun = Instant::now();
+        mind.observe(action, &sample, &AccommodationConfig::ROOMY, &mut rng);
+        spent += begun.elapsed().as_secs_f64() * 1e6;
+        if MOMENTS.contains(&step) {
+            let bytes = size_of::<RoomyMind>();
+            growth.push(measured(oracle, mind.schemas(), step, bytes, spent));
+        }
+    }
+    growth
+}
+
+fn texts(schemas: &[SimpleSchema]) -> Vec<Schema> {
+    schemas.iter().map(SimpleSchema::text).collect()
 }
 
 fn seeded(seed: u64) -> Vec<Schema> {
@@ -292,7 +344,7 @@ fn slipping(seed: u64, oracle: &Oracle) -> f64 {
         mind.observe(action, &sample, &AccommodationConfig::TOLERANT, &mut rng);
     }
     // The truth is that of the world without slip: what the schemas say about what actions do.
-    oracle.recall(&texts(&mind), VALID).total()
+    oracle.recall(&texts(mind.schemas()), VALID).total()
 }
 
 /// What the book's chain reaches with the schemas of Drescher's mechanism.

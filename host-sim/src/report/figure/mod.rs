@@ -5,6 +5,7 @@
 //! Colours are Okabe and Ito's, which colour-blind readers tell apart.
 
 mod bars;
+mod boards;
 mod heat;
 mod lines;
 mod palette;
@@ -18,6 +19,7 @@ use plotters::style::{FontStyle, WHITE, register_font};
 use resvg::{tiny_skia, usvg};
 
 pub use bars::{Bar, bar_chart, histogram};
+pub use boards::{Board, board_pairs};
 pub use heat::{HeatMap, heat_maps};
 pub use lines::{Line, Mark, Point, Span, line_chart, roc};
 
