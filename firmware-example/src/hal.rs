@@ -1,4 +1,5 @@
-//! The robot itself: **put your part's serial port, motors and reset here**, and nothing else changes.
+//! The robot itself: **put your part's serial port, motors and reset here**; the README says what of
+//! the emulator then goes.
 //!
 //! What stands here serves the emulated board: its serial port is the emulator's standard input and
 //! output, it has no motors, and its program can end.

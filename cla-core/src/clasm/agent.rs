@@ -17,7 +17,7 @@ use super::sample::Sample;
 use super::schema::SchemaId;
 use super::second_level::{Fallback, Level2Config, SecondLevel};
 use super::step::{AgentError, Choice, Lesson, Level, Reason};
-use super::surprise::{Surprise, SurpriseConfig};
+use super::surprise::Surprise;
 use crate::num::Rng;
 use crate::som::{BinarySom, Prototypes};
 
@@ -71,14 +71,14 @@ pub struct Agent<
     M = BinarySom<WIDTH, HEIGHT, ITEMS>,
 > {
     bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>,
-    knowledge: KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
-    level2: SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>,
+    pub(super) knowledge: KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+    pub(super) level2: SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>,
     /// The item of the schema that has succeeded last, and the state that it led to.
     trace: Option<SyntheticId>,
     arrived: ItemStates<WORDS>,
-    config: Settings,
+    pub(super) config: Settings,
     rng: Rng,
-    stage: Stage,
+    pub(super) stage: Stage,
     context: ItemStates<WORDS>,
     chosen: Option<ActionId>,
     since_harvest: u32,
@@ -86,7 +86,7 @@ pub struct Agent<
     burst: u16,
     run: u16,
     exploring: bool,
-    surprise: Surprise,
+    pub(super) surprise: Surprise,
 }
 
 impl<
@@ -172,10 +172,11 @@ impl<
         self.burst = 0;
         self.run = 0;
         self.surprise = Surprise::NONE;
+        self.begin_step();
         Ok(())
     }
 
-    fn config(&self) -> Result<AgentConfig, AgentError> {
+    pub(super) fn config(&self) -> Result<AgentConfig, AgentError> {
         match self.config {
             Settings::Absent => Err(AgentError::NotBegun),
             Settings::Present(config) => Ok(config),
@@ -387,6 +388,9 @@ impl<
         self.stage = Stage::Acting(adaptation);
         self.since_reward = 0;
         self.burst = 0;
+        self.settle_doubt();
+        // What comes once is no part of a step.
+        self.begin_step();
         Ok(())
     }
 
@@ -429,6 +433,10 @@ impl<
     pub fn reconfigure(&mut self, config: AgentConfig) -> Result<(), ConfigError> {
         config.check()?;
         self.config = Settings::Present(config);
+        if config.level2.is_none() {
+            self.trace = None;
+        }
+        self.settle_doubt();
         Ok(())
     }
 
@@ -459,39 +467,6 @@ impl<
     #[must_use]
     pub const fn bank(&self) -> &ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M> {
         &self.bank
-    }
-
-    /// Gives the agent another sense of surprise, or none, from now on; what it knows stays.
-    ///
-    /// # Errors
-    /// [`ConfigError::Surprise`]; nothing has changed.
-    pub fn set_surprise(&mut self, surprise: Option<SurpriseConfig>) -> Result<(), ConfigError> {
-        if let Ok(config) = self.config() {
-            self.reconfigure(AgentConfig { surprise, ..config })?;
-        }
-        Ok(())
-    }
-
-    /// Doubts what it knows from now on, as after an alarm.
-    ///
-    /// Nothing happens unless it acts, re-learns and can be surprised.
-    pub fn doubt(&mut self) {
-        if let Some(config) = self.suspects() {
-            self.surprise.alarm(&config);
-            self.knowledge.begin_doubt();
-        }
-    }
-
-    /// Alarms so far.
-    #[must_use]
-    pub const fn alarms(&self) -> u32 {
-        self.surprise.alarms()
-    }
-
-    /// Whether the agent doubts what it knows: it was alarmed a short time ago.
-    #[must_use]
-    pub const fn doubts(&self) -> bool {
-        self.surprise.doubts()
     }
 
     /// What the agent is doing with its life.
@@ -556,6 +531,7 @@ impl<
     ) {
         let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
         let trace = self.trace_in(before);
+        let meant = trace.and_then(|trace| self.level2.schema(trace));
         let item = succeeded.and_then(|schema| {
             if frozen {
                 self.knowledge
@@ -566,6 +542,8 @@ impl<
                 self.level2.reify(&mut self.knowledge, schema)
             }
         });
+        // A new item may have taken the row of the trace.
+        let trace = trace.filter(|&trace| self.level2.schema(trace) == meant);
         if let (Some(trace), Some(to), false) = (trace, item, frozen) {
             let reward = self.knowledge.reward(after);
             self.level2.experience(trace, to, reward, discount, level2);
@@ -583,40 +561,6 @@ impl<
         }
         self.run -= 1;
         self.exploring
-    }
-
-    /// Alarms sound only where something can be learned from them.
-    fn suspects(&self) -> Option<SurpriseConfig> {
-        let relearns = self.stage == Stage::Acting(Adaptation::Relearning);
-        match self.config {
-            Settings::Present(AgentConfig { surprise, .. }) => surprise.filter(|_| relearns),
-            Settings::Absent => None,
-        }
-    }
-
-    /// Doubts what it knows after an alarm, and weighs the evidence while it doubts.
-    #[inline(never)]
-    fn feel(&mut self, rewarded: bool) {
-        let Some(surprise) = self.suspects() else {
-            return;
-        };
-        let doubted = self.surprise.doubts();
-        if self.surprise.feel(&surprise, rewarded) {
-            self.knowledge.begin_doubt();
-        }
-        if self.surprise.weighs()
-            && let Settings::Present(config) = &self.config
-        {
-            // Like a harvest, it comes now and then and is no part of a tick.
-            let cost = self.knowledge.cost;
-            self.knowledge.weigh::<ACTIONS>(&surprise, &config.values);
-            self.level2.doubt(&self.knowledge);
-            self.knowledge.cost = cost;
-        }
-        if !self.surprise.doubts() && doubted {
-            self.knowledge.end_doubt();
-            self.level2.forget_experience();
-        }
     }
 
     fn random(&mut self, reason: Reason) -> Choice {

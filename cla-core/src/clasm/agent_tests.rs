@@ -469,3 +469,26 @@ fn items_follow_their_schemas_through_harvests() {
     }
     assert!(agent.second_level().items() > 0);
 }
+
+#[test]
+fn an_item_in_the_row_of_the_trace_is_not_taken_for_it() {
+    let mut agent = Box::new(super::Agent::<1, 4, 6, 6, 2, 64, 256, 1, 64>::new());
+    let mut world = Corridor(0);
+    let config = AgentConfig {
+        level2: Some(Level2Config::FORAGER),
+        ..AgentConfig::FORAGER
+    };
+    agent.begin(config, 4).unwrap();
+    for _ in 0..2000 {
+        let choice = agent.choose(&world.sense()).unwrap();
+        world.act(choice.action);
+        agent.learn(&world.sense()).unwrap();
+        let level = agent.second_level();
+        for belief in level.beliefs() {
+            let schema =
+                |item| agent.knowledge().schemas()[usize::from(level.schema(item).unwrap().0)];
+            assert_eq!(schema(belief.trace).result, schema(belief.item).context);
+        }
+    }
+    assert!(agent.second_level().losses().evicted_items > 0);
+}

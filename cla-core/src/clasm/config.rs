@@ -5,6 +5,7 @@ use core::fmt;
 use super::action_som::TrainingConfig;
 use super::choice::ChoiceRule;
 use super::harvest::HarvestConfig;
+use super::implication::Reading;
 use super::sample::ResultCoding;
 use super::second_level::Level2Config;
 use super::surprise::SurpriseConfig;
@@ -223,27 +224,102 @@ impl AgentConfig {
         if self.surprise.is_some_and(|it| !it.is_valid()) {
             return Err(ConfigError::Surprise);
         }
-        let HarvestConfig { on, off, .. } = self.harvest;
-        if !share(on) || !share(off) || off >= on {
-            return Err(ConfigError::Thresholds);
-        }
+        check_harvest(&self.harvest)?;
         if self.harvest_every == 0 || self.training_run == 0 {
             return Err(ConfigError::NoActions);
         }
-        if !share(self.training.alpha.at(0)) || !share(self.training.alpha.at(u32::MAX)) {
-            return Err(ConfigError::Alpha);
-        }
-        let TrainingConfig {
-            cut,
-            result_weight,
-            recruitment,
-            ..
-        } = self.training;
-        let vigilance = recruitment.map_or(0.0, |it| it.vigilance);
-        let positive = |x: f32| x.is_finite() && x >= 0.0;
-        if !share(cut) || !positive(result_weight) || !positive(vigilance) {
-            return Err(ConfigError::Training);
-        }
+        check_training(&self.training)?;
         Ok(())
+    }
+}
+
+fn is_share(x: f32) -> bool {
+    (0.0..=1.0).contains(&x)
+}
+
+fn check_harvest(config: &HarvestConfig) -> Result<(), ConfigError> {
+    let HarvestConfig { on, off, .. } = *config;
+    if !is_share(on) || !is_share(off) || off >= on {
+        return Err(ConfigError::Thresholds);
+    }
+    Ok(())
+}
+
+fn check_training(config: &TrainingConfig) -> Result<(), ConfigError> {
+    if !is_share(config.alpha.at(0)) || !is_share(config.alpha.at(u32::MAX)) {
+        return Err(ConfigError::Alpha);
+    }
+    let vigilance = config.recruitment.map_or(0.0, |it| it.vigilance);
+    let positive = |x: f32| x.is_finite() && x >= 0.0;
+    if !is_share(config.cut) || !positive(config.result_weight) || !positive(vigilance) {
+        return Err(ConfigError::Training);
+    }
+    Ok(())
+}
+
+/// How a level harvested from maps learns.
+///
+/// ```
+/// use cla_core::clasm::{Reading, SomLevelConfig};
+/// let book = SomLevelConfig { reading: Reading::Cut(0.9), ..SomLevelConfig::FORAGER };
+/// assert_eq!(book.harvest.on, 0.9);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SomLevelConfig {
+    /// How its maps are trained.
+    pub training: TrainingConfig,
+    /// How they are read.
+    pub harvest: HarvestConfig,
+    /// Learned actions between two harvests, at least 1.
+    pub harvest_every: u32,
+    /// How counters become beliefs.
+    pub reading: Reading,
+    /// The least weight of a new label, in `[0, 1)`: about 1 / `forgetting` of them count; 0 never
+    /// forgets.
+    pub forgetting: f32,
+    /// Synthetic items whose values are brought up to date at every step.
+    pub values_per_step: u16,
+}
+
+impl SomLevelConfig {
+    /// What works best on the simulated Pioneer.
+    pub const FORAGER: Self = Self {
+        training: TrainingConfig::FORAGER,
+        harvest: HarvestConfig::FORAGER,
+        harvest_every: 500,
+        reading: Reading::Counters {
+            prior: 2.0,
+            trace_prior: 100.0,
+        },
+        forgetting: 0.01,
+        values_per_step: 4,
+    };
+}
+
+impl SomLevelConfig {
+    /// Whether the values make sense together.
+    ///
+    /// # Errors
+    /// The first [`ConfigError`] found.
+    ///
+    /// ```
+    /// use cla_core::clasm::{ConfigError, SomLevelConfig};
+    /// let config = SomLevelConfig { harvest_every: 0, ..SomLevelConfig::FORAGER };
+    /// assert_eq!(config.check(), Err(ConfigError::NoActions));
+    /// ```
+    pub fn check(&self) -> Result<(), ConfigError> {
+        let positive = |x: f32| x.is_finite() && x > 0.0;
+        let reads = match self.reading {
+            Reading::Counters { prior, trace_prior } => positive(prior) && positive(trace_prior),
+            Reading::Cut(share) => is_share(share),
+        };
+        if !reads || !(0.0..1.0).contains(&self.forgetting) {
+            return Err(ConfigError::Level2);
+        }
+        if self.harvest_every == 0 {
+            return Err(ConfigError::NoActions);
+        }
+        check_harvest(&self.harvest)?;
+        check_training(&self.training)
     }
 }

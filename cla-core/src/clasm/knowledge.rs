@@ -73,7 +73,7 @@ impl Outcome {
 
 /// Schemas and the conjunctions they are made of, in fixed memory.
 ///
-/// `PATTERNS` bounds the distinct contexts and results, `SCHEMAS` the schemas; both at most 65,535.
+/// `PATTERNS` bounds the distinct contexts and results, `SCHEMAS` the schemas; both at most 65,534.
 ///
 /// ```
 /// use cla_core::clasm::{ActionId, KnowledgeBase, Vocabulary, SchemaText};

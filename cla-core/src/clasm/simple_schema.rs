@@ -227,7 +227,7 @@ pub enum Entry {
     Refused,
 }
 
-/// A bounded table of simple schemas, at most 65,535.
+/// A bounded table of simple schemas, at most 65,534.
 ///
 /// ```
 /// use cla_core::clasm::{Entry, SchemaText, SimpleSchema, SimpleSchemas, Vocabulary};

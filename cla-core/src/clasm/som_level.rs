@@ -7,11 +7,11 @@
 //! It stands beside an [`Agent`](super::Agent) whose own second level is off.
 
 use super::action::ActionId;
-use super::action_som::{ActionSomBank, Trained, TrainingConfig};
+use super::action_som::{ActionSomBank, Trained};
 use super::belief::SyntheticId;
 use super::choice::Preference;
-use super::harvest::HarvestConfig;
-use super::implication::{Implications, Reading, Synthetic};
+use super::config::{ConfigError, SomLevelConfig};
+use super::implication::{Implications, Synthetic};
 use super::item::{ItemId, ItemStates};
 use super::knowledge::KnowledgeBase;
 use super::labels::Labels;
@@ -23,45 +23,6 @@ use super::som_reading::{read, widened};
 use super::value::ValueConfig;
 use crate::num::Rng;
 use crate::som::{BinarySom, Grid};
-
-/// How a level harvested from maps learns.
-///
-/// ```
-/// use cla_core::clasm::{Reading, SomLevelConfig};
-/// let book = SomLevelConfig { reading: Reading::Cut(0.9), ..SomLevelConfig::FORAGER };
-/// assert_eq!(book.harvest.on, 0.9);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SomLevelConfig {
-    /// How its maps are trained.
-    pub training: TrainingConfig,
-    /// How they are read.
-    pub harvest: HarvestConfig,
-    /// Learned actions between two harvests, at least 1.
-    pub harvest_every: u32,
-    /// How counters become beliefs.
-    pub reading: Reading,
-    /// The least weight of a new label, in `[0, 1)`: about 1 / `forgetting` of them count; 0 never
-    /// forgets.
-    pub forgetting: f32,
-    /// Synthetic items whose values are brought up to date at every step.
-    pub values_per_step: u16,
-}
-
-impl SomLevelConfig {
-    /// What works best on the simulated Pioneer.
-    pub const FORAGER: Self = Self {
-        training: TrainingConfig::FORAGER,
-        harvest: HarvestConfig::FORAGER,
-        harvest_every: 500,
-        reading: Reading::Counters {
-            prior: 2.0,
-            trace_prior: 100.0,
-        },
-        forgetting: 0.01,
-        values_per_step: 4,
-    };
-}
 
 /// What goes on learning at the second level.
 ///
@@ -96,6 +57,16 @@ pub struct SomLevelLosses {
     pub evicted_labels: u32,
     /// Nodes of the last harvest that say nothing about an item's schema.
     pub unread_nodes: u32,
+}
+
+impl SomLevelLosses {
+    const NONE: Self = Self {
+        refused_items: 0,
+        displaced_nodes: 0,
+        refused_schemas: 0,
+        evicted_labels: 0,
+        unread_nodes: 0,
+    };
 }
 
 /// Maps whose context half has every feature and whose result half only the primitive items: of the
@@ -137,10 +108,11 @@ struct Here<const WORDS: usize> {
 /// use cla_core::num::Rng;
 /// let mut knowledge = KnowledgeBase::<1, 16, 16>::new();
 /// let mut level = Box::new(SomLevel::<1, 2, 1, 32, 4, 4, 1, 64, 256>::new());
-/// level.begin(SomLevelConfig::FORAGER, &mut Rng::new(1));
+/// level.begin(SomLevelConfig::FORAGER, &mut Rng::new(1))?;
 /// let now = ItemStates::all_off(2);
 /// level.learn(&mut knowledge, &now, ActionId(0), &now, &ValueConfig::FORAGER, Learning::Maps);
 /// assert_eq!(level.items(), 0); // no schema of level 1 has succeeded
+/// # Ok::<(), cla_core::clasm::ConfigError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct SomLevel<
@@ -179,11 +151,14 @@ impl<
     const LABELS: usize,
 > SomLevel<WORDS, ITEMS, WIDE, FEATURES, WIDTH, HEIGHT, ACTIONS, ROWS, LABELS>
 {
-    /// A level that has not begun, of all-zero memory.
+    /// A level that has not begun.
+    ///
+    /// It is made for a host: as a static it would lie in flash as well as in RAM.
     #[must_use]
     pub const fn new() -> Self {
         const {
             assert!(ITEMS < FEATURES, "a level without a synthetic item is none");
+            assert!(ITEMS <= WORDS * 32, "an item needs a bit: 32 for each word");
             assert!(
                 FEATURES <= WIDE * 32,
                 "a feature needs a bit: 32 for each word"
@@ -203,18 +178,16 @@ impl<
             predictions: Reliability::ZERO,
             next_value: 0,
             since_harvest: 0,
-            losses: SomLevelLosses {
-                refused_items: 0,
-                displaced_nodes: 0,
-                refused_schemas: 0,
-                evicted_labels: 0,
-                unread_nodes: 0,
-            },
+            losses: SomLevelLosses::NONE,
         }
     }
 
     /// Begins: random maps, no item, no level-2 schema.
-    pub fn begin(&mut self, config: SomLevelConfig, rng: &mut Rng) {
+    ///
+    /// # Errors
+    /// [`ConfigError`]; the level is as it was.
+    pub fn begin(&mut self, config: SomLevelConfig, rng: &mut Rng) -> Result<(), ConfigError> {
+        config.check()?;
         self.config = Some(config);
         self.bank.randomize(rng);
         for grid in &mut self.tried {
@@ -226,6 +199,8 @@ impl<
         self.predictions = Reliability::ZERO;
         self.next_value = 0;
         self.since_harvest = 0;
+        self.losses = SomLevelLosses::NONE;
+        Ok(())
     }
 
     /// The number of synthetic items.
@@ -275,7 +250,10 @@ impl<
             losses.displaced_nodes = losses.displaced_nodes.saturating_add(map.displaced());
         }
         losses.refused_schemas = self.implied.refused;
-        losses.evicted_labels = self.labels.evicted + self.implied.labels.evicted;
+        losses.evicted_labels = self
+            .labels
+            .evicted
+            .saturating_add(self.implied.labels.evicted);
         losses
     }
 
@@ -501,8 +479,10 @@ impl<
         learning: Learning,
     ) -> Option<SyntheticId> {
         let known = knowledge.schemas.get(usize::from(id.0))?.synthetic();
+        // A mark may be another level's, or from before this one began.
         if let Some(item) = known
-            && usize::from(item.0) < self.implied.items.len()
+            && let Some(synthetic) = self.implied.items.get(usize::from(item.0))
+            && knowledge.text(id).as_ref() == Some(&synthetic.text)
         {
             return known;
         }

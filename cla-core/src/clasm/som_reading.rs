@@ -4,13 +4,14 @@
 
 use super::action::ActionId;
 use super::belief::SyntheticId;
+use super::config::SomLevelConfig;
 use super::harvest::harvest_node;
 use super::implication::Implications;
 use super::item::{ItemId, ItemSet, ItemStates};
 use super::notation::SchemaText;
 use super::sample::ResultCoding;
 use super::signed_items::SignedItems;
-use super::som_level::{Bank, SomLevelConfig};
+use super::som_level::Bank;
 use crate::som::Grid;
 
 /// What one node says: a level-2 schema.

@@ -144,6 +144,11 @@ impl Surprise {
         self.alarms = self.alarms.saturating_add(1);
     }
 
+    /// Ends a doubt before its time.
+    pub(super) const fn end(&mut self) {
+        self.doubt = 0;
+    }
+
     /// Whether the evidence is to be weighed after this action.
     pub(super) const fn weighs(&self) -> bool {
         self.doubt > 0 && self.doubt.is_multiple_of(EVERY)

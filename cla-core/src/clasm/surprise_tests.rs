@@ -171,6 +171,24 @@ fn a_surprise_that_cannot_work_is_refused_and_nothing_changes() {
 }
 
 #[test]
+fn a_doubt_ends_with_what_it_needs() {
+    let ends: [fn(&mut Agent<1, 3, 4, 4, 2, 16, 16>); 3] = [
+        |it| it.set_surprise(None).unwrap(),
+        |it| it.reconfigure(AgentConfig::FORAGER).unwrap(),
+        |it| it.act(Adaptation::Frozen).unwrap(),
+    ];
+    for end in ends {
+        let mut agent = std::boxed::Box::new(Agent::<1, 3, 4, 4, 2, 16, 16>::new());
+        agent.begin(AgentConfig::RESILIENT, 1).unwrap();
+        agent.act(Adaptation::Relearning).unwrap();
+        agent.doubt();
+        assert!(agent.doubts());
+        end(&mut agent);
+        assert!(!agent.doubts());
+    }
+}
+
+#[test]
 fn the_same_seed_gives_the_same_doubt_to_the_bit() {
     let life = || {
         let mut agent = std::boxed::Box::new(Agent::<1, 3, 4, 4, 2, 16, 16>::new());

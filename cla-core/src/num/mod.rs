@@ -16,7 +16,8 @@ pub use gaussian::{GaussianError, Neighbourhood};
 pub use rng::Rng;
 pub use schedule::{Schedule, ScheduleError};
 
-/// `e` to the power of `x`, to within one unit in the last place, with the same bits on every target.
+/// `e` to the power of `x`, to within one unit in the last place, with the same bits on every target;
+/// with the feature `micromath` neither.
 ///
 /// Source: the portable `expf` of the `libm` crate (a port of musl's).
 /// Range: every `f32`; overflows to infinity above about 88.7 and underflows to 0 below about −103.9.
@@ -30,7 +31,8 @@ pub fn exp(x: f32) -> f32 {
     functions::exp(x)
 }
 
-/// Correctly rounded square root, with the same bits on every target.
+/// Correctly rounded square root, with the same bits on every target; with the feature `micromath`
+/// neither.
 ///
 /// Only reports need it: the maps compare squared distances.
 ///
@@ -42,7 +44,8 @@ pub fn sqrt(x: f32) -> f32 {
     functions::sqrt(x)
 }
 
-/// The natural logarithm, to within one unit in the last place, with the same bits on every target.
+/// The natural logarithm, to within one unit in the last place, with the same bits on every target;
+/// with the feature `micromath` neither.
 ///
 /// Source: the portable `logf` of the `libm` crate (a port of musl's).
 /// Range: every `f32`; −∞ at 0, NaN below.

@@ -36,17 +36,24 @@ pub struct TwoLevels {
 
 impl TwoLevels {
     /// Puts a second level that knows nothing on a brain.
-    #[must_use]
-    pub fn new(brain: Box<Brain>, values: ValueConfig, config: SomLevelConfig, seed: u64) -> Self {
+    ///
+    /// # Errors
+    /// [`Failure`] of a configuration that cannot work.
+    pub fn new(
+        brain: Box<Brain>,
+        values: ValueConfig,
+        config: SomLevelConfig,
+        seed: u64,
+    ) -> Result<Self, Failure> {
         let mut level = Box::new(Level::new());
-        level.begin(config, &mut Rng::stream(seed, 4));
-        Self {
+        level.begin(config, &mut Rng::stream(seed, 4))?;
+        Ok(Self {
             brain,
             level,
             values,
             now: Percept::UNKNOWN,
             action: ActionId(0),
-        }
+        })
     }
 
     /// Ends training: harvests a last time and settles the values.
@@ -171,7 +178,7 @@ fn childhood(
         training_run: AgentConfig::FORAGER_LEVEL2.training_run,
         ..alone
     })?;
-    let mut both = TwoLevels::new(brain, alone.values, config, seed);
+    let mut both = TwoLevels::new(brain, alone.values, config, seed)?;
     live(&mut both, &mut world, options.actions)?;
     Ok(both)
 }
