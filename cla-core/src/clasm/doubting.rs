@@ -86,6 +86,7 @@ impl<
     }
 
     /// Ends a doubt that nothing can be learned from any more: acting or the configuration changed.
+    #[inline(never)]
     pub(super) fn settle_doubt(&mut self) {
         if self.surprise.doubts() && self.suspects().is_none() {
             self.surprise.end();
