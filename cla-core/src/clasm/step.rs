@@ -91,9 +91,10 @@ pub struct Lesson {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum AgentError {
-    /// [`Agent::begin`] was not called.
+    /// [`Agent::begin`](super::Agent::begin) was not called.
     NotBegun,
-    /// [`Agent::learn`] without a [`Agent::choose`] before it.
+    /// [`Agent::learn`](super::Agent::learn) without a [`Agent::choose`](super::Agent::choose) before
+    /// it.
     NothingChosen,
     /// The action is not one of the robot's.
     NoSuchAction(ActionId),
