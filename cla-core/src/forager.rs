@@ -10,7 +10,7 @@ crate::brain! {
         values: [ingrip = 10.0],
         maps: 20 x 20,
         patterns: 128,
-        schemas: 1024,
+        schemas: 704,
         synthetic: 384,
         beliefs: 3072,
         ram: 266_000,
@@ -29,6 +29,6 @@ crate::brain! {
         schemas: 512,
         synthetic: 384,
         beliefs: 3072,
-        ram: 74_000,
+        ram: 86_000,
     }
 }

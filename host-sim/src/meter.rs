@@ -17,7 +17,7 @@ use crate::experiment::mcu::board::{Build, Target};
 use crate::options::Failure;
 
 /// Numbers of a step that are weighed: a constant, and the counts.
-const TERMS: usize = 8;
+const TERMS: usize = 9;
 
 /// Instructions for each count on one processor, and for a step whatever it touches.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -38,6 +38,8 @@ pub struct Weights {
     pub item: f64,
     /// [`Cost::beliefs`].
     pub belief: f64,
+    /// [`Cost::habits`].
+    pub habit: f64,
 }
 
 /// The weights of [`Target::ALL`], in their order.
@@ -114,12 +116,25 @@ impl Weights {
             schema,
             item,
             belief,
+            habit,
         } = *self;
-        [step, unit, weight, moved, pattern, schema, item, belief]
+        [
+            step, unit, weight, moved, pattern, schema, item, belief, habit,
+        ]
     }
 
     fn from_terms(
-        [step, unit, weight, moved, pattern, schema, item, belief]: [f64; TERMS],
+        [
+            step,
+            unit,
+            weight,
+            moved,
+            pattern,
+            schema,
+            item,
+            belief,
+            habit,
+        ]: [f64; TERMS],
     ) -> Self {
         let rounded = |it: f64| (it * 100.0).round() / 100.0;
         Self {
@@ -131,6 +146,7 @@ impl Weights {
             schema: rounded(schema),
             item: rounded(item),
             belief: rounded(belief),
+            habit: rounded(habit),
         }
     }
 }
@@ -144,8 +160,12 @@ fn terms(cost: &Cost) -> [f64; TERMS] {
         schemas,
         items,
         beliefs,
+        habits,
     } = *cost;
-    [1, units, weights, moved, patterns, schemas, items, beliefs].map(f64::from)
+    [
+        1, units, weights, moved, patterns, schemas, items, beliefs, habits,
+    ]
+    .map(f64::from)
 }
 
 /// The solution of linear equations, each with its right side last; 0 for an unknown that none has.

@@ -8,16 +8,18 @@
 use super::action::ActionId;
 use super::action_som::ActionSomBank;
 use super::belief::SyntheticId;
-use super::choice::{ChoiceRule, Preference};
+use super::choice::ChoiceRule;
 use super::config::{Adaptation, AgentConfig, ConfigError, Settings};
 use super::cost::Cost;
+use super::habit::Habits;
 use super::item::ItemStates;
 use super::knowledge::KnowledgeBase;
 use super::sample::Sample;
 use super::schema::SchemaId;
-use super::second_level::{Fallback, Level2Config, SecondLevel};
-use super::step::{AgentError, Choice, Lesson, Level, Reason};
+use super::second_level::SecondLevel;
+use super::step::{AgentError, Choice, Lesson, Reason};
 use super::surprise::Surprise;
+use super::value::ValueConfig;
 use crate::num::Rng;
 use crate::som::{BinarySom, Prototypes};
 
@@ -73,20 +75,25 @@ pub struct Agent<
     bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>,
     pub(super) knowledge: KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
     pub(super) level2: SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>,
+    pub(super) habits: Habits<WORDS, ITEMS, ACTIONS, SYNTHETIC>,
     /// The item of the schema that has succeeded last, and the state that it led to.
     trace: Option<SyntheticId>,
     arrived: ItemStates<WORDS>,
     pub(super) config: Settings,
-    rng: Rng,
+    pub(super) rng: Rng,
     pub(super) stage: Stage,
     context: ItemStates<WORDS>,
     chosen: Option<ActionId>,
+    /// The trace at that choice: what is observed before its result comes may change it.
+    decided_after: Option<SyntheticId>,
     since_harvest: u32,
-    since_reward: u16,
-    burst: u16,
-    run: u16,
-    exploring: bool,
+    pub(super) since_reward: u16,
+    pub(super) burst: u16,
+    pub(super) run: u16,
+    pub(super) exploring: bool,
     pub(super) surprise: Surprise,
+    /// Values of habits that have moved in this step.
+    practised: u32,
 }
 
 impl<
@@ -135,6 +142,7 @@ impl<
             bank: ActionSomBank::zeroed(),
             knowledge: KnowledgeBase::new(),
             level2: SecondLevel::new(),
+            habits: Habits::new(),
             trace: None,
             arrived: ItemStates::UNKNOWN,
             config: Settings::Absent,
@@ -142,12 +150,14 @@ impl<
             stage: Stage::Unborn,
             context: ItemStates::UNKNOWN,
             chosen: None,
+            decided_after: None,
             since_harvest: 0,
             since_reward: 0,
             burst: 0,
             run: 0,
             exploring: false,
             surprise: Surprise::NONE,
+            practised: 0,
         }
     }
 
@@ -164,6 +174,7 @@ impl<
         self.bank.randomize(&mut self.rng);
         self.knowledge.forget_schemas();
         self.level2.clear();
+        self.habits.clear();
         self.trace = None;
         self.stage = Stage::Training;
         self.chosen = None;
@@ -174,13 +185,6 @@ impl<
         self.surprise = Surprise::NONE;
         self.begin_step();
         Ok(())
-    }
-
-    pub(super) fn config(&self) -> Result<AgentConfig, AgentError> {
-        match self.config {
-            Settings::Absent => Err(AgentError::NotBegun),
-            Settings::Present(config) => Ok(config),
-        }
     }
 
     /// Chooses what to do now and remembers `now` as the context of it.
@@ -194,18 +198,16 @@ impl<
     // stacks would add up.
     #[inline(never)]
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
-        let config = self.config()?;
+        if self.stage == Stage::Unborn {
+            return Err(AgentError::NotBegun);
+        }
         self.begin_step();
-        let explore = match self.stage {
-            Stage::Training => self.explores(&config),
-            Stage::Acting(_) | Stage::Unborn => false,
-        };
-        let choice = if explore {
+        let choice = if self.stage == Stage::Training && self.explores() {
             self.random(Reason::Exploration)
-        } else if self.escapes(&config) {
+        } else if self.escapes() {
             self.random(Reason::Escape)
         } else {
-            match self.prefer(now, &config) {
+            match self.prefer(now) {
                 Some((level, preference)) => Choice {
                     action: preference.action,
                     reason: Reason::Value,
@@ -217,6 +219,7 @@ impl<
             }
         };
         self.context = *now;
+        self.decided_after = self.trace_in(now);
         self.chosen = Some(choice.action);
         Ok(choice)
     }
@@ -239,12 +242,13 @@ impl<
     /// [`AgentError::NotBegun`] or [`AgentError::NothingChosen`].
     #[inline(never)]
     pub fn learn(&mut self, now: &ItemStates<WORDS>) -> Result<Lesson, AgentError> {
-        if let Settings::Absent = self.config {
+        if self.stage == Stage::Unborn {
             return Err(AgentError::NotBegun);
         }
         let action = self.chosen.ok_or(AgentError::NothingChosen)?;
         let before = self.context;
-        let lesson = self.observe(&before, action, now)?;
+        self.practise(&before, action, now);
+        let lesson = self.take_in(&before, action, now)?;
         self.chosen = None;
         self.feel(lesson.reward > 0.0);
         self.since_reward = if lesson.reward > 0.0 {
@@ -257,30 +261,43 @@ impl<
 
     /// Learns from an action that the agent did not choose: a reflex, or a teacher's.
     ///
-    /// Where no item was known, before and after, maps learn nothing.
+    /// Where no item was known, before and after, maps learn nothing; habits take its reward for what
+    /// followed the last own action.
     ///
     /// # Errors
     /// [`AgentError::NotBegun`] or [`AgentError::NoSuchAction`].
-    #[inline(never)]
     pub fn observe(
         &mut self,
         before: &ItemStates<WORDS>,
         action: ActionId,
         after: &ItemStates<WORDS>,
     ) -> Result<Lesson, AgentError> {
-        // Only what is needed: a copy of the whole would lie below everything that learns.
+        let lesson = self.take_in(before, action, after)?;
+        if self.stage != Stage::Acting(Adaptation::Frozen) {
+            self.habits.add(lesson.reward);
+        }
+        Ok(lesson)
+    }
+
+    #[inline(never)]
+    fn take_in(
+        &mut self,
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+    ) -> Result<Lesson, AgentError> {
         let Settings::Present(AgentConfig {
             coding,
             harvest_every,
-            values,
-            values_per_step,
             forgetting,
-            level2,
             ..
         }) = self.config
         else {
             return Err(AgentError::NotBegun);
         };
+        if self.stage == Stage::Unborn {
+            return Err(AgentError::NotBegun);
+        }
         if usize::from(action.0) >= ACTIONS {
             return Err(AgentError::NoSuchAction(action));
         }
@@ -301,10 +318,7 @@ impl<
         } else {
             self.knowledge.record(before, action, after, forgetting)
         };
-        if let Some(level2) = &level2 {
-            let succeeded = lesson.outcome.schema;
-            self.follow_trace(before, action, after, succeeded, level2, values.discount);
-        }
+        self.follow_trace(before, action, after, lesson.outcome.schema);
         if frozen {
             return Ok(lesson);
         }
@@ -321,20 +335,31 @@ impl<
                 lesson.harvested = true;
             }
         }
-        self.knowledge
-            .improve_values::<ACTIONS>(values_per_step, &values);
-        if let Some(level2) = &level2 {
-            let Self {
-                level2: level,
-                knowledge,
-                ..
-            } = self;
-            if let Some(trace) = self.trace {
-                level.improve(knowledge, trace, &values, level2);
-            }
-            level.improve_values(knowledge, level2.values_per_step, &values, level2);
-        }
+        self.improve_values();
         Ok(lesson)
+    }
+
+    /// Brings some values of both levels up to date.
+    #[inline(never)]
+    fn improve_values(&mut self) {
+        let Self {
+            config: Settings::Present(config),
+            level2: level,
+            knowledge,
+            trace,
+            ..
+        } = self
+        else {
+            return;
+        };
+        let values = &config.values;
+        knowledge.improve_values::<ACTIONS>(config.values_per_step, values);
+        if let Some(level2) = &config.level2 {
+            if let Some(trace) = *trace {
+                level.improve(knowledge, trace, values, level2);
+            }
+            level.improve_values(knowledge, level2.values_per_step, values, level2);
+        }
     }
 
     /// Reads the maps into schemas now; the book's rule also gets its values of items.
@@ -344,10 +369,16 @@ impl<
         let Settings::Present(config) = &self.config else {
             return;
         };
+        if self.stage == Stage::Unborn {
+            return;
+        }
         self.knowledge
             .harvest(self.bank.maps(), config.coding, &config.harvest);
         if config.rule == ChoiceRule::Lexicographic {
             self.knowledge.defer_values(&config.values);
+        }
+        if self.surprise.doubts() {
+            self.knowledge.doubt_new();
         }
         self.level2.follow(&self.knowledge);
         let trace = self.trace;
@@ -372,6 +403,9 @@ impl<
         else {
             return Err(AgentError::NotBegun);
         };
+        if self.stage == Stage::Unborn {
+            return Err(AgentError::NotBegun);
+        }
         if self.stage == Stage::Training {
             self.harvest();
         }
@@ -386,6 +420,7 @@ impl<
             }
         }
         self.stage = Stage::Acting(adaptation);
+        self.habits.pause();
         self.since_reward = 0;
         self.burst = 0;
         self.settle_doubt();
@@ -415,6 +450,7 @@ impl<
         let mut cost = self.knowledge.cost;
         cost.add(&self.bank.cost());
         cost.add(&self.level2.table.cost);
+        cost.habits = self.practised;
         cost
     }
 
@@ -422,11 +458,13 @@ impl<
         self.knowledge.cost = Cost::NONE;
         self.level2.table.cost = Cost::NONE;
         self.bank.forget_cost();
+        self.practised = 0;
     }
 
     /// Goes on with another configuration; what has been learned stays.
     ///
     /// This is how a second level begins: the book trains level 1 alone first (6.2.4).
+    /// It is no birth: an unborn agent stays unborn, and [`begin`](Self::begin) brings its own.
     ///
     /// # Errors
     /// [`ConfigError`]; the agent is as it was.
@@ -436,6 +474,9 @@ impl<
         if config.level2.is_none() {
             self.trace = None;
         }
+        if config.habits.is_none() {
+            self.habits.pause();
+        }
         self.settle_doubt();
         Ok(())
     }
@@ -444,6 +485,12 @@ impl<
     #[must_use]
     pub const fn second_level(&self) -> &SecondLevel<ACTIONS, SYNTHETIC, BELIEFS> {
         &self.level2
+    }
+
+    /// What experience says of the actions, beside the schemas.
+    #[must_use]
+    pub const fn habits(&self) -> &Habits<WORDS, ITEMS, ACTIONS, SYNTHETIC> {
+        &self.habits
     }
 
     /// The synthetic item of the schema that has just succeeded.
@@ -475,117 +522,83 @@ impl<
         self.stage
     }
 
-    /// What the highest level that has something to say prefers; in a doubt that is level 1.
-    fn prefer(
+    /// Feels what an action of its own has brought.
+    #[inline(never)]
+    fn practise(
         &mut self,
-        now: &ItemStates<WORDS>,
-        config: &AgentConfig,
-    ) -> Option<(Level, Preference)> {
-        let doubts = self.surprise.doubts();
-        let trace = self.trace_in(now).filter(|_| !doubts);
-        if let (Some(level2), Some(trace)) = (&config.level2, trace) {
-            let Self {
-                level2: level,
-                knowledge,
-                ..
-            } = self;
-            let overloaded = match level2.fallback {
-                Fallback::MeanReliability(share) => level.is_overloaded(share),
-                Fallback::Never | Fallback::ValueThenReliability => false,
-            };
-            let above = level
-                .prefer(knowledge, now, trace, &config.values, level2)
-                .filter(|_| !overloaded);
-            if let Some(above) = above {
-                let below = match level2.fallback {
-                    Fallback::ValueThenReliability => {
-                        knowledge.prefer::<ACTIONS>(now, config.rule, &config.values)
-                    }
-                    Fallback::Never | Fallback::MeanReliability(_) => None,
-                };
-                return match below {
-                    Some(below) if below.value > above.value => Some((Level::One, below)),
-                    _ => Some((Level::Two, above)),
-                };
-            }
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+    ) {
+        let Settings::Present(AgentConfig {
+            habits: Some(habits),
+            ..
+        }) = self.config
+        else {
+            return;
+        };
+        if self.stage == Stage::Acting(Adaptation::Frozen) {
+            return;
         }
-        let found = self
-            .knowledge
-            .prefer::<ACTIONS>(now, config.rule, &config.values);
-        found.map(|preference| (Level::One, preference))
+        let rate = if self.surprise.doubts() {
+            habits.doubting_rate
+        } else {
+            habits.learning_rate
+        };
+        let deed = (*before.on(), self.decided_after, action);
+        let reward = self.knowledge.reward(after);
+        self.practised = self.habits.feel(deed, reward, rate, &habits);
     }
 
     /// The trace, if the robot is still where its schema has led.
-    fn trace_in(&self, state: &ItemStates<WORDS>) -> Option<SyntheticId> {
+    pub(super) fn trace_in(&self, state: &ItemStates<WORDS>) -> Option<SyntheticId> {
         self.trace.filter(|_| self.arrived == *state)
     }
 
+    #[inline(never)]
     fn follow_trace(
         &mut self,
         before: &ItemStates<WORDS>,
         action: ActionId,
         after: &ItemStates<WORDS>,
         succeeded: Option<SchemaId>,
-        level2: &Level2Config,
-        discount: f32,
     ) {
+        let Settings::Present(AgentConfig {
+            level2: Some(level2),
+            values: ValueConfig { discount, .. },
+            ..
+        }) = self.config
+        else {
+            return;
+        };
         let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
         let trace = self.trace_in(before);
         let meant = trace.and_then(|trace| self.level2.schema(trace));
         let item = succeeded.and_then(|schema| {
-            if frozen {
-                self.knowledge
-                    .schemas()
-                    .get(usize::from(schema.0))?
-                    .synthetic()
-            } else {
-                self.level2.reify(&mut self.knowledge, schema)
+            let known = self.level2.item_of(&self.knowledge, schema);
+            if known.is_some() || frozen {
+                return known;
             }
+            let item = self.level2.reify(&mut self.knowledge, schema)?;
+            self.habits.renew(item);
+            Some(item)
         });
         // A new item may have taken the row of the trace.
         let trace = trace.filter(|&trace| self.level2.schema(trace) == meant);
+        if let (Some(trace), false) = (trace, frozen) {
+            self.level2.judge(trace, action, item);
+        }
         if let (Some(trace), Some(to), false) = (trace, item, frozen) {
             let reward = self.knowledge.reward(after);
-            self.level2.experience(trace, to, reward, discount, level2);
-            self.level2.record(trace, action, item, level2);
+            self.level2.experience(trace, to, reward, discount, &level2);
+            let table = &mut self.level2.table;
+            table.record(trace, action, item, level2.forgetting);
+        }
+        if let (Some(item), false) = (item, frozen) {
+            self.level2.table.meet(item);
         }
         self.trace = item;
         self.arrived = *after;
-    }
-
-    /// Whether this step of training is random; drawn anew for each run of actions.
-    fn explores(&mut self, config: &AgentConfig) -> bool {
-        if self.run == 0 {
-            self.run = config.training_run;
-            self.exploring = !self.rng.chance(config.greedy_share);
-        }
-        self.run -= 1;
-        self.exploring
-    }
-
-    fn random(&mut self, reason: Reason) -> Choice {
-        let action = ActionId(self.rng.below(ACTIONS as u32) as u16);
-        Choice {
-            action,
-            reason,
-            level: None,
-            schema: None,
-            value: 0.0,
-        }
-    }
-
-    /// Whether this step belongs to a burst of random actions.
-    fn escapes(&mut self, config: &AgentConfig) -> bool {
-        let Some(escape) = config.escape else {
-            return false;
-        };
-        if self.burst == 0 && self.since_reward >= escape.after {
-            self.burst = escape.burst;
-            self.since_reward = 0;
-        }
-        let escapes = self.burst > 0;
-        self.burst = self.burst.saturating_sub(1);
-        escapes
     }
 }
 

@@ -53,6 +53,8 @@ pub(super) struct Row<const ACTIONS: usize> {
     pub(super) visits: f32,
     /// How much a surprise now still concerns it; it fades with time.
     pub(super) eligibility: f32,
+    /// When its schema last succeeded, by the table's clock.
+    pub(super) used: u32,
     /// How often each action was done right after its success; older times weigh less.
     pub(super) tried: [f32; ACTIONS],
 }
@@ -65,7 +67,7 @@ pub(super) struct Row<const ACTIONS: usize> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BeliefLosses {
-    /// Items that were hardly used and made room for new ones.
+    /// Items that were out of use, or hardly ever used, and made room for new ones.
     pub evicted_items: u32,
     /// Schemas that found no room to become items.
     pub refused_items: u32,
@@ -80,10 +82,15 @@ pub(super) struct BeliefTable<const ACTIONS: usize, const ITEMS: usize, const BE
     /// In ascending order of (trace, item).
     beliefs: heapless::Vec<Belief, BELIEFS, u16>,
     pub(super) losses: BeliefLosses,
+    /// Occasions recorded so far; it wraps.
+    clock: u32,
     /// Items and beliefs gone through in this step.
     pub(super) cost: Cost,
 }
 
+/// Occasions after which an item that was not met again gives way to a new one: the world that it
+/// belonged to may be gone.
+const OUT_OF_USE: u32 = 1000;
 /// Uses up to which an item gives way to a new one when all rows are taken.
 const HARDLY_USED: f32 = 2.0;
 
@@ -105,17 +112,19 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                 refused_items: 0,
                 evicted_beliefs: 0,
             },
+            clock: 0,
             cost: Cost::NONE,
         }
     }
 
     pub(super) fn clear(&mut self) {
+        self.clock = 0;
         self.rows.clear();
         self.beliefs.clear();
     }
 
-    /// A row for a schema: a new one, a free one, or that of the item with the fewest uses if they
-    /// are hardly any.
+    /// A row for a schema: a new one, a free one, that of the item that has been out of use the
+    /// longest, or of the one with the fewest uses if they are hardly any.
     pub(super) fn add(
         &mut self,
         schema: SchemaId,
@@ -130,26 +139,31 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
             then: 0.0,
             visits: 0.0,
             eligibility: 0.0,
+            used: self.clock,
             tried: [0.0; ACTIONS],
         };
         if self.rows.push(row).is_ok() {
             return Some(SyntheticId(self.rows.len() as u16 - 1));
         }
         self.cost.items = self.cost.items.wrapping_add(self.rows.len() as u32);
-        let mut least: Option<(f32, usize)> = None;
-        for (index, row) in self.rows.iter().enumerate() {
-            let uses = if row.schema.is_some() {
-                uses(row)
+        // The less there is to lose the larger.
+        let mut found: Option<(Loss, usize)> = None;
+        for (index, other) in self.rows.iter().enumerate() {
+            let idle = self.clock.wrapping_sub(other.used);
+            let loss = if other.schema.is_none() {
+                Loss::Nothing
+            } else if idle > OUT_OF_USE {
+                Loss::Idle(idle)
             } else {
-                -1.0
+                Loss::Uses(uses(other))
             };
-            if least.is_none_or(|(other, _)| uses < other) {
-                least = Some((uses, index));
+            if found.is_none_or(|(least, _)| loss.is_less(least)) {
+                found = Some((loss, index));
             }
         }
-        match least {
-            Some((uses, index)) if uses <= HARDLY_USED => {
-                if uses >= 0.0 {
+        match found {
+            Some((loss, index)) if loss.is_small() => {
+                if loss != Loss::Nothing {
                     self.losses.evicted_items = self.losses.evicted_items.saturating_add(1);
                 }
                 let id = SyntheticId(index as u16);
@@ -162,6 +176,13 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
                 self.losses.refused_items = self.losses.refused_items.saturating_add(1);
                 None
             }
+        }
+    }
+
+    /// An item's schema has just succeeded.
+    pub(super) fn meet(&mut self, item: SyntheticId) {
+        if let Some(row) = self.rows.get_mut(usize::from(item.0)) {
+            row.used = self.clock;
         }
     }
 
@@ -207,6 +228,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
         item: Option<SyntheticId>,
         forgetting: f32,
     ) {
+        self.clock = self.clock.wrapping_add(1);
         let row = self.rows.get_mut(usize::from(trace.0));
         let Some(tried) = row.and_then(|row| row.tried.get_mut(usize::from(action.0))) else {
             return;
@@ -292,6 +314,38 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
     }
 }
 
+/// What is lost with an item.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Loss {
+    /// The row is free.
+    Nothing,
+    /// It was met so many occasions ago.
+    Idle(u32),
+    /// It is in use, and was used so often.
+    Uses(f32),
+}
+
+impl Loss {
+    /// Whether something new is worth it.
+    fn is_small(self) -> bool {
+        match self {
+            Self::Nothing | Self::Idle(_) => true,
+            Self::Uses(uses) => uses <= HARDLY_USED,
+        }
+    }
+
+    fn is_less(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Nothing, _) => other != Self::Nothing,
+            (_, Self::Nothing) => false,
+            (Self::Idle(here), Self::Idle(there)) => here > there,
+            (Self::Idle(_), Self::Uses(_)) => true,
+            (Self::Uses(_), Self::Idle(_)) => false,
+            (Self::Uses(here), Self::Uses(there)) => here < there,
+        }
+    }
+}
+
 /// How often anything was done right after the item's schema had succeeded.
 pub(super) fn uses<const ACTIONS: usize>(row: &Row<ACTIONS>) -> f32 {
     let mut total = 0.0;
@@ -371,6 +425,30 @@ mod tests {
         }
         assert_eq!(it.add(SchemaId(10), STAY, 0.0), None);
         assert_eq!(it.losses.refused_items, 1);
+    }
+
+    #[test]
+    fn an_item_that_is_no_longer_met_makes_room_however_much_it_was_used() {
+        let mut it = table();
+        let live = |it: &mut BeliefTable<2, 3, 4>, item: u16, times: u32| {
+            for _ in 0..times {
+                it.meet(SyntheticId(item));
+                it.record(SyntheticId(item), GO, None, 0.0);
+            }
+        };
+        for item in [2, 1, 0] {
+            live(&mut it, item, 10);
+        }
+        assert_eq!(it.add(SchemaId(8), STAY, 0.0), None);
+        live(&mut it, 0, super::OUT_OF_USE + 1);
+        // Both others are out of use; the last has been for longer.
+        assert_eq!(it.add(SchemaId(9), STAY, 0.0), Some(SyntheticId(2)));
+        assert_eq!((it.losses.evicted_items, it.losses.refused_items), (1, 1));
+        // What has just come is in use.
+        live(&mut it, 2, 3);
+        assert_eq!(it.add(SchemaId(10), STAY, 0.0), Some(SyntheticId(1)));
+        live(&mut it, 1, 3);
+        assert_eq!(it.add(SchemaId(11), STAY, 0.0), None);
     }
 
     #[test]

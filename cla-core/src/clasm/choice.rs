@@ -39,6 +39,37 @@ pub struct Preference {
     pub value: f32,
 }
 
+/// What habit holds each action to be worth, and how much of the decision is its.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Voice<const ACTIONS: usize> {
+    pub(super) weight: f32,
+    pub(super) worth: [f32; ACTIONS],
+}
+
+/// The action that is worth most by what schemas promise and habit says, or `None` when schemas
+/// promise nothing; of equals the first.
+pub(super) fn most_worth<const ACTIONS: usize>(
+    promised: &[f32; ACTIONS],
+    voice: Option<&Voice<ACTIONS>>,
+) -> Option<(ActionId, f32)> {
+    let mut best: Option<(ActionId, f32)> = None;
+    let mut promising = false;
+    for (action, &value) in promised.iter().enumerate() {
+        promising |= value > 0.0;
+        let value = match voice {
+            Some(voice) => match voice.worth.get(action) {
+                Some(worth) => value + voice.weight * (worth - value),
+                None => value,
+            },
+            None => value,
+        };
+        if !value.is_nan() && best.is_none_or(|(_, other)| value > other) {
+            best = Some((ActionId(action as u16), value));
+        }
+    }
+    best.filter(|_| promising)
+}
+
 impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
 {
@@ -50,9 +81,20 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         rule: ChoiceRule,
         config: &ValueConfig,
     ) -> Option<Preference> {
+        self.prefer_with::<ACTIONS>(state, rule, config, None)
+    }
+
+    /// As [`prefer`](Self::prefer); habit has its say where expected values decide.
+    pub(super) fn prefer_with<const ACTIONS: usize>(
+        &mut self,
+        state: &ItemStates<WORDS>,
+        rule: ChoiceRule,
+        config: &ValueConfig,
+        voice: Option<&Voice<ACTIONS>>,
+    ) -> Option<Preference> {
         match rule {
             ChoiceRule::Lexicographic => self.most_valuable::<ACTIONS>(state, config),
-            ChoiceRule::ExpectedValue => self.most_promising::<ACTIONS>(state, config),
+            ChoiceRule::ExpectedValue => self.most_promising::<ACTIONS>(state, config, voice),
         }
     }
 
@@ -95,22 +137,16 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         &mut self,
         state: &ItemStates<WORDS>,
         config: &ValueConfig,
+        voice: Option<&Voice<ACTIONS>>,
     ) -> Option<Preference> {
-        let mut best: Option<Preference> = None;
         let appraisals = self.expected_values::<ACTIONS>(state, config);
-        for (action, appraisal) in appraisals.iter().enumerate() {
-            let value = appraisal.value;
-            if value > best.map_or(0.0, |other| other.value) {
-                best = Some(Preference {
-                    action: ActionId(action as u16),
-                    schema: None,
-                    value,
-                });
-            }
-        }
-        let mut best = best?;
-        best.schema = self.most_reliable_applicable(state, best.action, config);
-        Some(best)
+        let promised = appraisals.map(|appraisal| appraisal.value);
+        let (action, value) = most_worth(&promised, voice)?;
+        Some(Preference {
+            action,
+            schema: self.most_reliable_applicable(state, action, config),
+            value,
+        })
     }
 
     /// Of the schemas that apply in `state`, the most reliable for an action; of equals the first.

@@ -4,6 +4,7 @@ use core::fmt;
 
 use super::action_som::TrainingConfig;
 use super::choice::ChoiceRule;
+use super::habit::HabitConfig;
 use super::harvest::HarvestConfig;
 use super::implication::Reading;
 use super::sample::ResultCoding;
@@ -48,6 +49,8 @@ pub struct AgentConfig {
     pub escape: Option<Escape>,
     /// The second level; without it level 1 decides alone.
     pub level2: Option<Level2Config>,
+    /// What experience says beside the schemas; without it they decide alone.
+    pub habits: Option<HabitConfig>,
 }
 
 /// What goes on learning while an agent acts (book, 6.3 and 7.1.1).
@@ -61,7 +64,8 @@ pub struct AgentConfig {
 pub enum Adaptation {
     /// Nothing.
     Frozen,
-    /// Reliabilities and the values that follow from them: the book's recovery (6.3).
+    /// Reliabilities and the values that follow from them: the book's recovery (6.3); with a second
+    /// level and habits also beliefs and what was felt.
     Reliabilities,
     /// Maps and schemas too (7.1.1).
     Relearning,
@@ -122,6 +126,8 @@ pub enum ConfigError {
     Level2,
     /// An alarm that could never or always ring, a doubt without actions, or a share out of range.
     Surprise,
+    /// A rate, weight or λ of habits is outside `[0, 1]`, or their discount outside `[0, 1)`, or NaN.
+    Habits,
     /// The neighbourhood cut is outside `[0, 1]`, or a weight or vigilance is negative, or NaN.
     Training,
 }
@@ -139,6 +145,7 @@ impl fmt::Display for ConfigError {
             Self::Alpha => "the learning rate must not exceed 1",
             Self::Level2 => "a prior must be above 0, forgetting between 0 and 1, 1 excluded",
             Self::Surprise => "alarms, doubt and optimism must be finite and in range",
+            Self::Habits => "weight, rates and lambda of habits must lie between 0 and 1",
             Self::Training => "cut, result weight and vigilance must be finite and in range",
         })
     }
@@ -163,6 +170,7 @@ impl AgentConfig {
         surprise: None,
         escape: None,
         level2: None,
+        habits: None,
     };
 
     /// What works best on the simulated Pioneer: rare events recruited, expected value, escape.
@@ -181,12 +189,13 @@ impl AgentConfig {
         ..Self::BOOK
     };
 
-    /// The forager with both levels: the second needs to see where the robot's own ways lead, so
-    /// nine actions of ten are greedy, and every tenth tries something else on the way.
+    /// The forager with both levels and habits: the second needs to see where the robot's own ways
+    /// lead, so nine actions of ten are greedy, and every tenth tries something else on the way.
     pub const FORAGER_LEVEL2: Self = Self {
         greedy_share: 0.9,
         training_run: 1,
         level2: Some(Level2Config::FORAGER),
+        habits: Some(HabitConfig::FORAGER),
         ..Self::FORAGER
     };
 
@@ -194,6 +203,18 @@ impl AgentConfig {
     pub const RESILIENT: Self = Self {
         surprise: Some(SurpriseConfig::FORAGER),
         ..Self::FORAGER
+    };
+
+    /// Both levels, habits and surprise: for a robot that must go on when something breaks.
+    ///
+    /// ```
+    /// use cla_core::clasm::AgentConfig;
+    /// let it = AgentConfig::RESILIENT_LEVEL2;
+    /// assert!(it.surprise.is_some() && it.level2.is_some() && it.habits.is_some());
+    /// ```
+    pub const RESILIENT_LEVEL2: Self = Self {
+        surprise: Some(SurpriseConfig::FORAGER),
+        ..Self::FORAGER_LEVEL2
     };
 
     /// Whether the values make sense together.
@@ -223,6 +244,9 @@ impl AgentConfig {
         }
         if self.surprise.is_some_and(|it| !it.is_valid()) {
             return Err(ConfigError::Surprise);
+        }
+        if self.habits.is_some_and(|it| !it.is_sound()) {
+            return Err(ConfigError::Habits);
         }
         check_harvest(&self.harvest)?;
         if self.harvest_every == 0 || self.training_run == 0 {

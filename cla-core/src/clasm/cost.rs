@@ -33,6 +33,8 @@ pub struct Cost {
     pub items: u32,
     /// Counters of beliefs gone through, those included that made room for a new one.
     pub beliefs: u32,
+    /// Values of habits that have moved.
+    pub habits: u32,
 }
 
 impl Cost {
@@ -44,6 +46,7 @@ impl Cost {
         schemas: 0,
         items: 0,
         beliefs: 0,
+        habits: 0,
     };
 
     /// Adds another's counts to these; sums wrap.
@@ -56,6 +59,7 @@ impl Cost {
             (&mut self.schemas, other.schemas),
             (&mut self.items, other.items),
             (&mut self.beliefs, other.beliefs),
+            (&mut self.habits, other.habits),
         ] {
             *count = count.wrapping_add(more);
         }

@@ -23,7 +23,7 @@ impl<
     /// # Errors
     /// [`ConfigError::Surprise`]; nothing has changed.
     pub fn set_surprise(&mut self, surprise: Option<SurpriseConfig>) -> Result<(), ConfigError> {
-        if let Ok(config) = self.config() {
+        if let Settings::Present(config) = self.config {
             self.reconfigure(AgentConfig { surprise, ..config })?;
         }
         Ok(())

@@ -9,7 +9,7 @@
 use super::action::ActionId;
 use super::applicable::Others;
 use super::belief::{Belief, BeliefLosses, BeliefTable, Row, SyntheticId, uses};
-use super::choice::Preference;
+use super::choice::{Preference, Voice, most_worth};
 use super::item::ItemStates;
 use super::knowledge::KnowledgeBase;
 use super::reliability::Reliability;
@@ -228,21 +228,24 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         self.fast += FAST * (outcome - self.fast);
     }
 
-    /// The item of a schema; a schema that succeeds for the first time gets one if there is room.
+    /// The item of a schema, if it has one.
+    pub(super) fn item_of<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
+        &self,
+        knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
+        id: SchemaId,
+    ) -> Option<SyntheticId> {
+        let item = knowledge.schemas.get(usize::from(id.0))?.synthetic()?;
+        let row = self.table.row(item)?;
+        (row.schema == Some(id)).then_some(item)
+    }
+
+    /// An item for a schema that has none yet, if there is room.
     pub(super) fn reify<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
         &mut self,
         knowledge: &mut KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
         id: SchemaId,
     ) -> Option<SyntheticId> {
         let schema = *knowledge.schemas.get(usize::from(id.0))?;
-        if let Some(item) = schema.synthetic()
-            && self
-                .table
-                .row(item)
-                .is_some_and(|row| row.schema == Some(id))
-        {
-            return Some(item);
-        }
         let result = knowledge.patterns.get(usize::from(schema.result.0));
         let value = result.map_or(0.0, |pattern| pattern.value);
         let item = self.table.add(id, schema.action, value)?;
@@ -262,18 +265,17 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         Some(item)
     }
 
-    /// Labels in hindsight what was on before an action that followed `trace`.
-    pub(super) fn record(
+    /// Counts whether what was believed most before an action came true; that no known schema
+    /// succeeded is a miss.
+    pub(super) fn judge(
         &mut self,
         trace: SyntheticId,
         action: ActionId,
         item: Option<SyntheticId>,
-        config: &Level2Config,
     ) {
         if let Some(believed) = self.most_believed(trace, action) {
             self.count_prediction(Some(believed) == item);
         }
-        self.table.record(trace, action, item, config.forgetting);
     }
 
     /// In a doubt: lets no more occasions count than the evidence leaves of what was known.
@@ -490,24 +492,19 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         trace: SyntheticId,
         values: &ValueConfig,
         config: &Level2Config,
+        voice: Option<&Voice<ACTIONS>>,
     ) -> Option<Preference> {
-        let expected = self.expected_values(knowledge, state, trace, values, config);
-        let mut best: Option<Preference> = None;
-        for (action, &value) in expected.iter().enumerate() {
-            if value > best.map_or(0.0, |other| other.value) {
-                best = Some(Preference {
-                    action: ActionId(action as u16),
-                    schema: None,
-                    value,
-                });
-            }
-        }
-        let mut best = best?;
-        let believed = self.most_believed(trace, best.action);
-        best.schema = believed
+        let promised = self.expected_values(knowledge, state, trace, values, config);
+        let (action, value) = most_worth(&promised, voice)?;
+        let believed = self.most_believed(trace, action);
+        let schema = believed
             .and_then(|item| self.schema(item))
-            .or_else(|| knowledge.most_reliable_applicable(state, best.action, values));
-        Some(best)
+            .or_else(|| knowledge.most_reliable_applicable(state, action, values));
+        Some(Preference {
+            action,
+            schema,
+            value,
+        })
     }
 
     /// Of the items of an action, the one that was most often on after `trace`; of equals the

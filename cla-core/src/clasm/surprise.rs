@@ -227,6 +227,16 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         }
     }
 
+    /// In a doubt: what has just been harvested notes how reliable it is held to be, too.
+    pub(super) fn doubt_new(&mut self) {
+        for schema in &mut self.schemas {
+            if schema.doubt == Doubt::default() {
+                let p = schema.reliability.value(Estimate::Recent);
+                schema.doubt.old = (p * 65_535.0) as u16;
+            }
+        }
+    }
+
     /// Ends it: the reliabilities stay as they have become.
     pub(super) fn end_doubt(&mut self) {
         for schema in &mut self.schemas {
