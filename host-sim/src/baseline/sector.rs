@@ -47,6 +47,11 @@ impl Sector {
         }
     }
 
+    /// Was made to do another action than it chose.
+    pub(super) const fn did(&mut self, action: usize) {
+        self.last = Some(action);
+    }
+
     fn steer(&self, percept: &Percept) -> Option<usize> {
         let on = |sector: u16| percept.get(ItemId(S1 + sector)) == Some(true);
         // The order in which the sectors matter, s3 first.

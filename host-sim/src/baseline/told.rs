@@ -104,16 +104,25 @@ impl Learner for Told {
         let seen = self.seen(now);
         let mut percept = Percept::all_off(SECTORS as u16);
         if let Some(sector) = seen {
-            percept.set(ItemId(sector as u16), Some(true))?;
+            // Where one turn is lost everything lies on the side of the other, the long way round.
+            let mirrored = SECTORS - 1 - sector;
+            let place = match self.damage {
+                Damage::Lost(part) if part.index == TURN_LEFT => sector.max(mirrored),
+                Damage::Lost(part) if part.index == TURN_RIGHT => sector.min(mirrored),
+                _ => sector,
+            };
+            percept.set(ItemId(place as u16), Some(true))?;
         }
         let action = self.servo.choose(&percept, &mut self.rng);
         self.last = (seen, action);
         Ok(match self.damage {
             Damage::SwapActions(a, b) if action == a.index => b.index,
             Damage::SwapActions(a, b) if action == b.index => a.index,
-            // The long way round.
-            Damage::Lost(part) if part.index == action && action == TURN_LEFT => TURN_RIGHT,
-            Damage::Lost(part) if part.index == action && action == TURN_RIGHT => TURN_LEFT,
+            // It looks round the other way, too.
+            Damage::Lost(part) if part.index == action && action == TURN_LEFT => {
+                self.servo.did(TURN_RIGHT);
+                TURN_RIGHT
+            }
             _ => action,
         })
     }
@@ -180,7 +189,9 @@ mod tests {
     fn crossed_and_lost_turns_are_steered_around() {
         assert_eq!(first("swap:turnl,turnr", &[&[0]]), TURN_RIGHT);
         assert_eq!(first("lost:turnl", &[&[0]]), TURN_RIGHT);
-        assert_eq!(first("lost:turnr", &[&[0]]), TURN_LEFT);
+        assert_eq!(first("lost:turnr", &[&[4]]), TURN_LEFT);
+        // Round once and there it is, on the other side: it does not take that for a turn undone.
+        assert_eq!(first("lost:turnl", &[&[1], &[0], &[], &[4]]), TURN_RIGHT);
     }
 
     #[test]

@@ -154,6 +154,11 @@ impl Learner for Forager {
             .collect()
     }
 
+    fn predictions(&self) -> (u32, u32) {
+        let all = self.brain.second_level().predictions();
+        (all.successes(), all.activations())
+    }
+
     fn alarms(&self) -> u32 {
         self.brain.alarms()
     }

@@ -55,6 +55,11 @@ pub trait Learner {
         Vec::new()
     }
 
+    /// What a second level has predicted: right predictions and all of them, since its birth.
+    fn predictions(&self) -> (u32, u32) {
+        (0, 0)
+    }
+
     /// How often it suspected that the world has changed.
     fn alarms(&self) -> u32 {
         0

@@ -238,6 +238,8 @@ fn captures_table(trials: &[Trial]) -> Table {
     row("CLA, level 1 (ours)", &last);
     row("CLA, level 1, 20,000 actions", &|t| t.second.level1);
     row("CLA, levels 1 and 2, 20,000 actions", &|t| t.second.level2);
+    row("CLA, levels 1 and 2 without habits", &|t| t.apart.level2);
+    row("CLA, level 1 with habits", &|t| t.apart.habits);
     row("CLA, level 2 from SOMs, 20,000 actions", &|t| {
         t.harvested.counters
     });

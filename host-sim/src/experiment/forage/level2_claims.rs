@@ -1,7 +1,7 @@
 //! What is concluded about the second level, in both of its forms.
 
 use super::claims::of;
-use super::level2_schemas::PRINTED;
+use super::level2_schemas::{Finding, PRINTED};
 use super::second::Pair;
 use super::trial::{Captures, Trial};
 use crate::report::{Bound, Claim, Expectation, Rule, mean, welch_t};
@@ -38,6 +38,20 @@ fn harvested(
     ruled.judge_ratio(&level2, &level1)
 }
 
+/// What one part of the second level brings without the other.
+fn alone(trials: &[Trial], id: &str, note: &str, part: fn(&Trial) -> Captures) -> Claim {
+    let part = of(trials, |t| f64::from(part(t).replaced));
+    let level1 = of(trials, |t| f64::from(t.second.level1.replaced));
+    let welch = welch_t(&part, &level1);
+    Expectation::new(format!("forage.{id}.noisy"), "6.2.5", "ratio")
+        .extension()
+        .note(format!(
+            "{note} (Welch t = {:.2}, p = {:.1e})",
+            welch.t, welch.p
+        ))
+        .judge_ratio(&part, &level1)
+}
+
 /// The second level against the first after the same 20,000 actions.
 pub(super) fn second_level(trials: &[Trial]) -> Vec<Claim> {
     let captures = "captures in 3000 actions";
@@ -67,7 +81,7 @@ pub(super) fn second_level(trials: &[Trial]) -> Vec<Claim> {
         score(
             "level2",
             captures,
-            "10,000 actions of level 1, then 10,000 with both levels",
+            "10,000 actions of level 1, then 10,000 with both levels and habits",
             |t| t.second.level2.replaced,
         ),
         score(
@@ -92,6 +106,18 @@ pub(super) fn second_level(trials: &[Trial]) -> Vec<Claim> {
             })
             .note("level 1 had the same 20,000 actions, explored as suits it best")
             .judge_ratio(&level2, &level1),
+        alone(
+            trials,
+            "level2_without_habits_over_level1",
+            "beliefs alone, no habits",
+            |t| t.apart.level2,
+        ),
+        alone(
+            trials,
+            "level1_with_habits_over_level1",
+            "habits alone: of items, there is no schema that has just succeeded",
+            |t| t.apart.habits,
+        ),
         versus("clean", 0.97, "no drop-out, no noise of steps and turns", |t| {
             t.second_noise_free
         }),
@@ -144,18 +170,31 @@ pub(super) fn second_level(trials: &[Trial]) -> Vec<Claim> {
             .judge(&of(trials, |t| t.insight.hindsight)),
     ];
     for (index, printed) in PRINTED.iter().enumerate() {
-        let generated = |t: &Trial| t.harvested.findings[index].is_generated();
-        all.push(
-            Expectation::new(
-                format!("forage.generated.{}", printed.number),
-                "6.2.6",
-                "share of seeds",
-            )
-            .book(GENERATED_IN_THE_BOOK[index])
-            .rule(Rule::mean(Bound::AtLeast(0.7)))
-            .note(printed.text)
-            .judge_share(&trials.iter().map(generated).collect::<Vec<_>>()),
-        );
+        type Findings = fn(&Trial) -> &[Finding; 5];
+        let trainings: [(&str, &str, Findings); 2] = [
+            ("", "nine greedy actions of ten in training", |t| {
+                &t.harvested.findings
+            }),
+            (
+                ".exploring",
+                "two greedy actions of ten in training, as in the book",
+                |t| &t.harvested.exploring,
+            ),
+        ];
+        for (name, training, findings) in trainings {
+            let generated = |t: &Trial| findings(t)[index].is_generated();
+            all.push(
+                Expectation::new(
+                    format!("forage.generated.{}{name}", printed.number),
+                    "6.2.6",
+                    "share of seeds",
+                )
+                .book(GENERATED_IN_THE_BOOK[index])
+                .rule(Rule::mean(Bound::AtLeast(0.7)))
+                .note(format!("{}; {training}", printed.text))
+                .judge_share(&trials.iter().map(generated).collect::<Vec<_>>()),
+            );
+        }
     }
     all
 }

@@ -6,6 +6,7 @@
 
 use cla_core::clasm::{NotationError, SchemaText, SyntheticId};
 use cla_core::forager::pioneer::VOCABULARY;
+use statrs::distribution::{Binomial, DiscreteCDF};
 
 use super::measure::record_of;
 use super::som_level2::TwoLevels;
@@ -70,10 +71,11 @@ pub const PRINTED: [Printed; 5] = [
     },
 ];
 
-/// Verified occasions below which nothing is said.
-pub const LEAST_EVIDENCE: f64 = 10.0;
-/// Standard errors by which the item must be on more often than its schema succeeds: one-sided 5 %.
-pub const CLEARLY: f64 = 1.645;
+/// How improbable it must be that the item was on so often by the chance with which its schema
+/// succeeds anyway: one-sided, by the binomial distribution, which holds for few occasions too.
+pub const CLEARLY: f64 = 0.05;
+/// Times that the item must have been on: once is an accident.
+pub const LEAST: u64 = 2;
 
 /// What a forager knows of a printed schema.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -109,14 +111,20 @@ impl Finding {
     /// let finding = Finding { tried: 40.0, on: 20.0, level1: 0.3, host: 0.5 };
     /// assert!(finding.is_generated());
     /// assert!(!Finding { on: 14.0, ..finding }.is_generated());
-    /// assert!(!Finding { tried: 4.0, on: 4.0, ..finding }.is_generated());
+    /// // Two of two where one in three is usual says nothing, three of three does.
+    /// assert!(!Finding { tried: 2.0, on: 2.0, ..finding }.is_generated());
+    /// assert!(Finding { tried: 3.0, on: 3.0, ..finding }.is_generated());
+    /// // Neither once nor where level 1 knows nothing to compare with.
+    /// assert!(!Finding { tried: 1.0, on: 1.0, level1: 0.01, ..finding }.is_generated());
+    /// assert!(!Finding { level1: 0.0, ..finding }.is_generated());
     /// ```
     #[must_use]
     pub fn is_generated(&self) -> bool {
-        let error = (self.level1 * (1.0 - self.level1) / self.tried).sqrt();
-        self.tried >= LEAST_EVIDENCE
-            && self.on / self.tried - self.level1 >= CLEARLY * error
-            && self.on / self.tried > self.level1
+        // Older occasions weigh less, so that the counts are no whole numbers: rounded against us.
+        let (on, tried) = (self.on.floor() as u64, self.tried.ceil() as u64);
+        // A reliability is a probability; that of a schema which level 1 does not know is 0.
+        let chance = Binomial::new(self.level1, tried);
+        on >= LEAST && self.level1 > 0.0 && chance.is_ok_and(|it| it.sf(on - 1) < CLEARLY)
     }
 }
 

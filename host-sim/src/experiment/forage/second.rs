@@ -4,11 +4,11 @@
 //! Each explores as suits it best: level 1 in runs of 50, of which four in five are greedy (250
 //! captures; as level 2 does, 246), level 2 at every tenth action (seeds 20 to 43).
 
-use cla_core::clasm::{AgentConfig, Estimate, Level2Config, Reading, SomLevelConfig};
+use cla_core::clasm::{AgentConfig, Estimate, HabitConfig, Level2Config, Reading, SomLevelConfig};
 use cla_core::forager::pioneer::Brain;
 use cla_core::num::Rng;
 
-use super::level2_schemas::Finding;
+use super::level2_schemas::{self, Finding};
 use super::trial::{Bench, Captures};
 use super::{ForageOptions, som_level2};
 use crate::options::{Failure, WorldOptions};
@@ -28,6 +28,56 @@ pub struct Pair {
     pub level2: Captures,
 }
 
+/// What the second level and habits bring, each without the other, after the same childhood.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ablation {
+    /// The second level without habits.
+    pub level2: Captures,
+    /// Level 1 with habits.
+    pub habits: Captures,
+}
+
+/// Gives the second level and habits their trials apart.
+///
+/// # Errors
+/// [`Failure`] when a world cannot be built or a brain cannot go on.
+pub(super) fn apart(
+    bench: &Bench<'_>,
+    young: &Brain,
+    world: &WorldOptions,
+) -> Result<Ablation, Failure> {
+    let level2 = AgentConfig {
+        habits: None,
+        ..with_level2(bench.options)
+    };
+    let habits = AgentConfig {
+        habits: Some(HabitConfig::FORAGER),
+        ..level1_alone(bench.options)
+    };
+    let captures = |config| bench.test(&*grown(bench, young, config, world)?, world);
+    Ok(Ablation {
+        level2: captures(level2)?,
+        habits: captures(habits)?,
+    })
+}
+
+fn with_level2(options: &ForageOptions) -> AgentConfig {
+    AgentConfig {
+        greedy_share: AgentConfig::FORAGER_LEVEL2.greedy_share,
+        training_run: AgentConfig::FORAGER_LEVEL2.training_run,
+        level2: Some(Level2Config::FORAGER),
+        habits: Some(HabitConfig::FORAGER),
+        ..options.brain
+    }
+}
+
+fn level1_alone(options: &ForageOptions) -> AgentConfig {
+    AgentConfig {
+        greedy_share: LEVEL1_GREEDY,
+        ..options.brain
+    }
+}
+
 /// What a second level harvested from Action SOMs collects (see `som_level2`).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Harvested {
@@ -39,6 +89,8 @@ pub struct Harvested {
     pub large: Captures,
     /// What the first of them knows of the book's level-2 schemas.
     pub findings: [Finding; 5],
+    /// What it would know had it explored as the book's robot did.
+    pub exploring: [Finding; 5],
 }
 
 /// Gives the second level in the book's form its trials.
@@ -62,9 +114,18 @@ pub(super) fn harvested(bench: &Bench<'_>, large: &WorldOptions) -> Result<Harve
         bench.ticker.advance(u64::from(actions));
         Ok(captures)
     };
+    let explorer = som_level2::trained(
+        bench.options,
+        counters,
+        AgentConfig::BOOK.greedy_share,
+        bench.seed,
+    )?;
+    let actions = 2 * u64::from(bench.options.actions);
+    bench.ticker.advance(actions);
     Ok(Harvested {
         counters: first,
         findings,
+        exploring: level2_schemas::findings(&explorer)?,
         cut: one(bench.options, cut)?,
         large: one(&there, counters)?,
     })
@@ -92,18 +153,8 @@ pub(super) fn compare(
     young: &Brain,
     world: &WorldOptions,
 ) -> Result<(Pair, Insight), Failure> {
-    let with = AgentConfig {
-        greedy_share: AgentConfig::FORAGER_LEVEL2.greedy_share,
-        training_run: AgentConfig::FORAGER_LEVEL2.training_run,
-        level2: Some(Level2Config::FORAGER),
-        ..bench.options.brain
-    };
-    let without = AgentConfig {
-        greedy_share: LEVEL1_GREEDY,
-        ..bench.options.brain
-    };
-    let level1 = grown(bench, young, without, world)?;
-    let level2 = grown(bench, young, with, world)?;
+    let level1 = grown(bench, young, level1_alone(bench.options), world)?;
+    let level2 = grown(bench, young, with_level2(bench.options), world)?;
     let second = level2.second_level();
     let insight = Insight {
         prospective: f64::from(second.predictions().value(Estimate::Plain)),

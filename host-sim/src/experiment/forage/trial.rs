@@ -12,7 +12,7 @@ use cla_core::forager::pioneer::{self, Brain, Item, VOCABULARY};
 use cla_core::num::Rng;
 
 use super::measure::{Record, promises, record_of};
-use super::second::{self, Harvested, Insight, LARGE, Pair};
+use super::second::{self, Ablation, Harvested, Insight, LARGE, Pair};
 use super::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
 use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
@@ -72,6 +72,8 @@ pub struct Trial {
     pub second: Pair,
     /// What the second level of that brain was like.
     pub insight: Insight,
+    /// The second level and habits apart.
+    pub apart: Ablation,
     /// As `second`, without noise.
     pub second_noise_free: Pair,
     /// As `second`, in the large room.
@@ -95,8 +97,8 @@ pub struct Trial {
 /// How many actions one seed takes, for the progress bar.
 #[must_use]
 pub fn work(options: &ForageOptions) -> u64 {
-    let tests = u64::from(options.actions / SNAPSHOT + 1) + 7 + 6 + 3;
-    u64::from(options.actions) * 17 + tests * 2 * u64::from(options.test_actions)
+    let tests = u64::from(options.actions / SNAPSHOT + 1) + 7 + 6 + 3 + 2;
+    u64::from(options.actions) * 21 + tests * 2 * u64::from(options.test_actions)
 }
 
 /// Runs one seed.
@@ -126,6 +128,7 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
         }
     }
     let (second, insight) = second::compare(&bench, &brain, &options.world)?;
+    let apart = second::apart(&bench, &brain, &options.world)?;
     brain.harvest();
     brain.knowledge_mut().defer_values(&options.brain.values);
     let knowledge = brain.knowledge();
@@ -165,6 +168,7 @@ pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial,
         snapshots,
         second,
         insight,
+        apart,
         second_noise_free,
         second_large,
         harvested: second::harvested(&bench, &large)?,

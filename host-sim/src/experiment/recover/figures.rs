@@ -51,8 +51,7 @@ fn thousands(course: &Course) -> Vec<(f64, f64)> {
 fn curve(of: &Lived<'_>, damage: &Damage) -> Result<Picture, FigureError> {
     let mut lines = Vec::new();
     let mut most = 0.0_f64;
-    // Everybody at once is a thicket: the two variants with history and the frozen one stand in the
-    // table.
+    // Everybody at once is a thicket: variants stand in the table.
     let drawn = entrants(damage).iter().filter(|who| {
         !matches!(
             who,
@@ -62,6 +61,7 @@ fn curve(of: &Lived<'_>, damage: &Damage) -> Result<Picture, FigureError> {
                 | Entrant::Frozen
                 | Entrant::BothPlain
                 | Entrant::BothMean
+                | Entrant::Plain
                 | Entrant::BothValue
         )
     });
@@ -114,20 +114,28 @@ fn curve(of: &Lived<'_>, damage: &Damage) -> Result<Picture, FigureError> {
 fn reliability_bars(of: &Lived<'_>) -> Result<Picture, FigureError> {
     let bars = [(0, "before", 0.405), (1, "after", 0.348)].map(|(place, when, book)| {
         let seeds = of.of(Entrant::Reliabilities, |it| mean(&it.reliabilities[place]));
-        Bar::mean_of(when, &seeds).beside(book)
+        Bar::mean_of(&format!("level 1 {when}"), &seeds).beside(book)
     });
-    let title = "Mean reliability of level 1 before and after the damage (Fig 6.5, 6.9)";
+    let second = [(0, "before", 0.721), (1, "after", 0.446)].map(|(place, when, book)| {
+        let seeds = of.of(Entrant::Both, |it| it.predictions[place]);
+        Bar::mean_of(&format!("level 2 {when}"), &seeds).beside(book)
+    });
+    let title = "Mean reliability before and after the damage (Fig 6.5, 6.9)";
     let axes = Axes::new(
         title,
-        "reliabilities only; strokes: the book",
+        "level 1: reliabilities only; level 2: predictions that came true; strokes: the book",
         "reliability",
     );
-    bar_chart(&axes.y(0.0, 0.5), &bars)
+    let bars: Vec<Bar> = bars.into_iter().chain(second).collect();
+    bar_chart(&axes.y(0.0, 0.8).sized(900, 480), &bars)
 }
 
 fn performance_bars(of: &Lived<'_>) -> Result<Picture, FigureError> {
-    let whole = of.of(Entrant::Reliabilities, |it| 3.0 * it.rate_before());
-    let mut bars = vec![Bar::mean_of("undamaged", &whole)];
+    let whole = |who| of.of(who, |it| 3.0 * it.rate_before());
+    let mut bars = vec![
+        Bar::mean_of("level 1, undamaged", &whole(Entrant::Reliabilities)),
+        Bar::mean_of("two levels, undamaged", &whole(Entrant::Both)),
+    ];
     for (label, who, from, to) in [
         ("frozen", Entrant::Frozen, 0, 3),
         ("reliabilities, 0-3k", Entrant::Reliabilities, 0, 3),

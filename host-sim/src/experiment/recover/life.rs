@@ -13,7 +13,7 @@ use crate::world::pioneer::Pioneer;
 /// How long each part of a life is, in actions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Protocol {
-    /// Childhood (book: 10,000).
+    /// Each half of a childhood (book: 10,000 for each level).
     pub training: u32,
     /// Acting undamaged, which says what a whole robot collects (book: 3000).
     pub before: u32,
@@ -39,6 +39,9 @@ pub struct Course {
     pub after: Vec<u32>,
     /// The reliabilities of its schemas when the damage came, and at the end.
     pub reliabilities: [Vec<f64>; 2],
+    /// Shares of the second level's predictions that came true, undamaged and damaged; NaN for who
+    /// makes none.
+    pub predictions: [f64; 2],
     /// How often it was alarmed, undamaged and damaged.
     pub alarms: [u32; 2],
     /// What its worst step would have cost.
@@ -88,8 +91,8 @@ impl Course {
     }
 }
 
-/// The childhood of a learner: trained in the world of its seed, and ready to act; answers what its
-/// worst step would have cost.
+/// The childhood of a learner: trained in the world of its seed, for as long again in another, as
+/// the second level is (6.2.4), and ready to act; answers what its worst step would have cost.
 ///
 /// # Errors
 /// [`Failure`] when the world cannot be built or the learner cannot learn.
@@ -99,9 +102,18 @@ pub fn raise(
     protocol: &Protocol,
     seed: u64,
 ) -> Result<Load, Failure> {
-    let lived = live(learner, &mut world.build(seed)?, protocol.training)?;
+    let mut load = live(learner, &mut world.build(seed)?, protocol.training)?.load;
+    load.merge(&live(learner, &mut second(world, seed)?, protocol.training)?.load);
     learner.act()?;
-    Ok(lived.load)
+    Ok(load)
+}
+
+/// The world of the second half of a childhood.
+///
+/// # Errors
+/// [`Failure`] when it cannot be built.
+pub fn second(world: &WorldOptions, seed: u64) -> Result<Pioneer, Failure> {
+    Ok(world.build(Rng::stream(seed, 4).next_seed())?)
 }
 
 /// The world in which a seed's learners act; nobody has lived in it.
@@ -140,8 +152,10 @@ pub fn watched_course(
     watch: Watch<'_, Damaged<Pioneer>>,
 ) -> Result<Course, Failure> {
     let mut world = Damaged::new(fresh(world, seed)?, Damage::None, seed)?;
+    let start = learner.predictions();
     let before = watched(learner, &mut world, protocol.before, watch)?;
     let (then, calm) = (learner.reliabilities(), learner.alarms());
+    let middle = learner.predictions();
     let mut world = Damaged::new(world.into_world(), damage, seed)?;
     learner.hear(&damage);
     let after = watched(learner, &mut world, protocol.after, watch)?;
@@ -151,14 +165,29 @@ pub fn watched_course(
         before: before.captures,
         after: after.captures,
         reliabilities: [then, learner.reliabilities()],
+        predictions: [
+            came_true(start, middle),
+            came_true(middle, learner.predictions()),
+        ],
         alarms: [calm, learner.alarms() - calm],
         load,
     })
 }
 
+/// The share of the predictions between two counts of (right ones, all).
+fn came_true(from: (u32, u32), to: (u32, u32)) -> f64 {
+    f64::from(to.0 - from.0) / f64::from(to.1 - from.1)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Course;
+    use super::{Course, came_true};
+
+    #[test]
+    fn predictions_are_shared_out_to_the_parts_of_a_life() {
+        assert_eq!(came_true((10, 20), (13, 24)), 0.75);
+        assert!(came_true((0, 0), (0, 0)).is_nan());
+    }
 
     #[test]
     fn a_course_is_read_in_thousands_and_recovery_needs_a_whole_one() {

@@ -10,9 +10,10 @@ use cla_core::clasm::{Adaptation, AgentConfig};
 use serde_json::{Value, json};
 
 use super::RecoverOptions;
-use super::life::{Protocol, raise, watched_course};
+use super::life::{Protocol, watched_course};
+use super::trial::grown;
 use crate::learner::Learner;
-use crate::learner::forager::Forager;
+use crate::meter::Load;
 use crate::options::Failure;
 use crate::world::World;
 use crate::world::body::SPECIMEN_RADIUS;
@@ -42,14 +43,16 @@ struct Film {
     doubts: Vec<[usize; 2]>,
 }
 
-/// Records the life of a seed's surprised robot and writes the page.
+/// Records the life of a seed's robot with both levels and surprise, and writes the page.
 pub(super) fn page(options: &RecoverOptions, damage: Damage, seed: u64) -> Result<String, Failure> {
     let protocol = Protocol {
         after: AFTER.min(options.protocol.after),
         ..options.protocol
     };
-    let mut forager = Forager::born(AgentConfig::RESILIENT, Adaptation::Relearning, seed)?;
-    raise(&mut forager, &options.world, &protocol, seed)?;
+    let both = AgentConfig::RESILIENT_LEVEL2;
+    let mut load = Load::default();
+    let forager = grown(both, &options.world, &protocol, seed, &mut load)?;
+    let mut forager = forager.acting(Adaptation::Relearning, both.surprise)?;
     let mut film = Film::default();
     let (mut seen, skip) = (0, protocol.before.saturating_sub(BEFORE));
     let mut places = Vec::new();

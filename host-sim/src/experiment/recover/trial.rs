@@ -3,10 +3,9 @@
 //! Measures only; what the numbers mean is said in `claims`.
 
 use cla_core::clasm::{Adaptation, AgentConfig, Cost, Fallback, Level2Config};
-use cla_core::num::Rng;
 
 use super::RecoverOptions;
-use super::life::{Course, Protocol, course, raise};
+use super::life::{Course, Protocol, course, raise, second};
 use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
 use crate::baseline::tabular::{Tabular, TabularConfig};
@@ -24,8 +23,10 @@ use crate::world::damage::{Damage, Damaged};
 /// Who takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Entrant {
-    /// Both levels, re-learning, which can be surprised and then fall back on level 1.
+    /// Both levels with habits, re-learning, which can be surprised and then fall back on level 1.
     Both,
+    /// The same without habits.
+    BothNoHabits,
     /// Both levels, re-learning without surprise.
     BothPlain,
     /// Both levels; the second is overloaded while its predictions are worse than they were (6.3).
@@ -58,8 +59,9 @@ pub enum Entrant {
 
 impl Entrant {
     /// Everybody.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Both,
+        Self::BothNoHabits,
         Self::BothPlain,
         Self::BothMean,
         Self::BothValue,
@@ -77,8 +79,10 @@ impl Entrant {
     ];
 
     /// Those whom every damage meets; the book's damage meets everybody.
-    pub const FEW: [Self; 6] = [
+    pub const FEW: [Self; 8] = [
         Self::Both,
+        Self::BothNoHabits,
+        Self::BothPlain,
         Self::Surprise,
         Self::Plain,
         Self::Sarsa,
@@ -91,6 +95,7 @@ impl Entrant {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Both => "CLA, two levels, surprise",
+            Self::BothNoHabits => "CLA, two levels, surprise, no habits",
             Self::BothPlain => "CLA, two levels, re-learning",
             Self::BothMean => "CLA, two levels, fallback by mean",
             Self::BothValue => "CLA, two levels, fallback by value",
@@ -157,9 +162,25 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
     let RecoverOptions {
         world, protocol, ..
     } = options;
-    let mut forager = Forager::born(AgentConfig::RESILIENT, Adaptation::Relearning, seed)?;
-    let mut load = raise(&mut forager, world, protocol, seed)?;
-    let both = grown(world, protocol, seed, &mut load)?;
+    let mut load = Load::default();
+    // Level 1 goes on as suits it best, see `forage::second`.
+    let alone = AgentConfig {
+        greedy_share: 0.8,
+        ..AgentConfig::FORAGER
+    };
+    let forager = grown(alone, world, protocol, seed, &mut load)?;
+    let both = grown(
+        AgentConfig::FORAGER_LEVEL2,
+        world,
+        protocol,
+        seed,
+        &mut load,
+    )?;
+    let no_habits = AgentConfig {
+        habits: None,
+        ..AgentConfig::FORAGER_LEVEL2
+    };
+    let without = grown(no_habits, world, protocol, seed, &mut load)?;
     let with = |fallback, surprise| -> Result<Box<dyn Learner>, Failure> {
         let mut it = both.clone();
         let level2 = Level2Config {
@@ -190,6 +211,7 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
         let surprise = AgentConfig::RESILIENT.surprise;
         Ok(match who {
             Entrant::Both => with(Fallback::Never, surprise)?,
+            Entrant::BothNoHabits => Box::new(without.acting(Adaptation::Relearning, surprise)?),
             Entrant::BothPlain => with(Fallback::Never, None)?,
             Entrant::BothMean => with(Fallback::MeanReliability(OVERLOADED), None)?,
             Entrant::BothValue => with(Fallback::ValueThenReliability, None)?,
@@ -236,8 +258,9 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
 /// Share of its usual predictions below which the second level is overloaded.
 const OVERLOADED: f32 = 0.8;
 
-/// A forager whose second level was trained for as long again as its first (6.2.4).
-fn grown(
+/// A forager that was trained for as long again in another way (6.2.4).
+pub(super) fn grown(
+    config: AgentConfig,
     world: &WorldOptions,
     protocol: &Protocol,
     seed: u64,
@@ -246,8 +269,8 @@ fn grown(
     let mut forager = Forager::born(AgentConfig::FORAGER, Adaptation::Relearning, seed)?;
     load.merge(&live(&mut forager, &mut world.build(seed)?, protocol.training)?.load);
     let brain = forager.brain_mut();
-    brain.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
-    let mut other = world.build(Rng::stream(seed, 4).next_seed())?;
+    brain.reconfigure(config)?;
+    let mut other = second(world, seed)?;
     load.merge(&live(&mut forager, &mut other, protocol.training)?.load);
     forager.act()?;
     Ok(forager)
