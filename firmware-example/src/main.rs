@@ -7,7 +7,7 @@
 //! Exit code 0 when the life was lived to its end.
 
 use firmware_example::profile::{self, Brain};
-use firmware_example::replay::{Moment, relive};
+use firmware_example::replay::{Moment, doubt, relive};
 use firmware_example::{board, trace};
 use semihosting::{println, process};
 
@@ -103,6 +103,17 @@ fn main() -> ! {
     });
     // Before anything is printed, which takes more stack than a brain does.
     let stack = board::stack_used();
+    let mut weighing = Cost::default();
+    let lived = lived.and_then(|echo| {
+        doubt(brain, ACTIONS, |moment| {
+            let instructions = counter.lap();
+            if moment == Moment::Learned {
+                weighing.add(instructions);
+            }
+        })?;
+        Ok(echo)
+    });
+    let in_doubt = board::stack_used();
     match lived {
         Ok(echo) => {
             println!("{echo}");
@@ -113,9 +124,11 @@ fn main() -> ! {
                     cost.worst
                 );
             }
+            println!("weighing instructions worst {}", weighing.worst);
             println!("brain bytes {}", profile::RAM);
             println!("static bytes {}", board::static_bytes());
             println!("stack bytes {stack}");
+            println!("doubting bytes {in_doubt}");
             process::exit(0);
         }
         Err(error) => {

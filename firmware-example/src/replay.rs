@@ -178,6 +178,44 @@ pub fn relive<
     Ok(echo)
 }
 
+/// Lives the last 100 recorded actions again in doubt, as after an alarm; `at` hears of every
+/// learning step, and in each 25th the evidence is weighed.
+///
+/// # Errors
+/// [`ReplayError`] when the brain refuses.
+// A frame of its own: in the frame of its caller it would lie below the whole life.
+#[inline(never)]
+pub fn doubt<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+    M: Prototypes<W, H>,
+>(
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
+    actions: u32,
+    mut at: impl FnMut(Moment),
+) -> Result<(), ReplayError> {
+    brain
+        .set_surprise(AgentConfig::RESILIENT.surprise)
+        .map_err(ReplayError::Config)?;
+    brain.doubt();
+    let own = trace::steps(actions).filter(|step| !step.reflex);
+    for step in own.skip(actions.saturating_sub(100) as usize) {
+        brain.choose(&step.before).map_err(ReplayError::Agent)?;
+        brain.redirect(step.action).map_err(ReplayError::Agent)?;
+        at(Moment::Chosen);
+        let lesson = brain.learn(&step.after).map_err(ReplayError::Agent)?;
+        at(match lesson.harvested || !brain.doubts() {
+            true => Moment::Harvested,
+            false => Moment::Learned,
+        });
+    }
+    Ok(())
+}
+
 fn add_weights<
     const W: usize,
     const H: usize,

@@ -20,6 +20,8 @@ fn forager() -> Rows {
     let maps = brain.bank().maps();
     let knowledge = size_of_val(brain.knowledge());
     let bank = size_of_val(brain.bank());
+    let level2 = size_of_val(brain.second_level());
+    let habits = size_of_val(brain.habits());
     vec![
         ("**brain**", 1, pioneer::RAM),
         ("bank of Action SOMs, with its scratch distances", 1, bank),
@@ -29,16 +31,18 @@ fn forager() -> Rows {
             size_of_val(maps),
         ),
         ("knowledge base", 1, knowledge),
-        ("· schema", 1024, 1024 * size_of::<Schema>()),
+        ("· schema", 704, 704 * size_of::<Schema>()),
         (
             "· pattern of items",
             128,
             128 * size_of::<SignedItems<WORDS>>(),
         ),
+        ("second level: synthetic items and beliefs", 1, level2),
+        ("habits", 1, habits),
         (
             "the rest: configuration, last percept, generator, counters",
             1,
-            pioneer::RAM - knowledge - bank,
+            pioneer::RAM - knowledge - bank - level2 - habits,
         ),
         ("· percept", 1, size_of::<ItemStates<WORDS>>()),
         ("· random generator", 1, size_of::<Rng>()),
@@ -148,7 +152,7 @@ fn the_budget_says_what_the_brain_costs() {
 #[test]
 fn the_parts_of_the_brain_are_the_whole() {
     let rows = forager();
-    let parts: usize = [1, 3, 6].iter().map(|&row| rows[row].2).sum();
+    let parts: usize = [1, 3, 6, 7, 8].iter().map(|&row| rows[row].2).sum();
     assert_eq!(parts, rows[0].2);
     assert!(rows[2].2 <= rows[1].2 && rows[4].2 + rows[5].2 <= rows[3].2);
 }

@@ -310,6 +310,9 @@ entries! {
     "prefer" (
         it: &mut Tables, now: &Percept, rule: ChoiceRule, config: &ValueConfig,
     ) -> Option<Preference> { it.prefer::<6>(now, rule, config) }
+    "habits_worth" (
+        it: &Habits<1, 7, 6, 384>, on: &ItemSet<1>, trace: Option<SyntheticId>,
+    ) -> [f32; 6] { it.worth(on, trace) }
     "parse" (text: &str, words: &Vocabulary) -> Result<SchemaText<1>, NotationError> {
         SchemaText::parse(text, words)
     }

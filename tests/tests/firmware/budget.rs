@@ -111,6 +111,7 @@ fn instructions_of_every_part_of_a_step_are_those_of_the_budget() {
             ("tick_level2", &["mean", "worst"]),
             ("harvest", &["worst"]),
             ("settle", &["worst"]),
+            ("weighing", &["worst"]),
         ] {
             for word in words {
                 let cell = |printed: &Printed| {
@@ -193,10 +194,11 @@ fn bytes_of_ram_and_stack_are_those_of_the_budget() {
     let mut rows = Rows::new();
     for (profile, features) in PROFILES {
         let printed = Target::ALL.map(|target| run_once(&program(target, features)));
-        for what in ["static", "stack"] {
+        for what in ["static", "stack", "doubting"] {
             let cell = |printed: &Printed| Some(number(printed, &format!("{what} bytes"), ""));
             let name = match what {
                 "static" => "all statics of the program",
+                "doubting" => "deepest stack in a doubt",
                 _ => "deepest stack",
             };
             rows.push((
