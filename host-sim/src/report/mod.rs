@@ -6,6 +6,7 @@
 
 mod claims;
 pub mod figure;
+mod inference;
 mod output;
 mod results;
 mod rule;
@@ -14,6 +15,10 @@ mod summary;
 mod table;
 
 pub use claims::{Book, Claim, Expectation, Ours, Verdict};
+pub use inference::{
+    LEVEL, Outcome, Printed, RESAMPLES, binomial_test, holm, median_interval, one_sample_t,
+    paired_t, ratio_interval, share_interval, welch_of_printed,
+};
 pub use output::{Output, OutputError};
 pub use results::Results;
 pub use rule::{Bound, Rule, Statistic};

@@ -16,18 +16,18 @@ pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// The standard deviation of a sample (divided by n − 1); 0 for one value, NaN without any.
+/// The standard deviation of a sample (divided by n − 1); NaN for fewer than two values, which tell
+/// nothing of how much they vary.
 ///
 /// ```
 /// assert_eq!(host_sim::report::sample_sd(&[2.0, 4.0, 6.0]), 2.0);
 /// ```
 #[must_use]
 pub fn sample_sd(values: &[f64]) -> f64 {
-    match values.len() {
-        0 => f64::NAN,
-        1 => 0.0,
-        _ => variance(values).sqrt(),
+    if values.len() < 2 {
+        return f64::NAN;
     }
+    variance(values).sqrt()
 }
 
 fn variance(values: &[f64]) -> f64 {
@@ -75,9 +75,17 @@ pub struct Interval {
     pub high: f64,
 }
 
+impl Interval {
+    /// No interval: too few values for one.
+    pub const NONE: Self = Self {
+        low: f64::NAN,
+        high: f64::NAN,
+    };
+}
+
 /// Student's confidence interval of the mean at a level such as 0.95.
 ///
-/// One value gives an interval of width 0, none gives NaN.
+/// Fewer than two values give NaN.
 ///
 /// ```
 /// let band = host_sim::report::confidence_interval(&[9.0, 10.0, 11.0], 0.95);
@@ -87,10 +95,7 @@ pub struct Interval {
 pub fn confidence_interval(values: &[f64], level: f64) -> Interval {
     let centre = mean(values);
     if values.len() < 2 {
-        return Interval {
-            low: centre,
-            high: centre,
-        };
+        return Interval::NONE;
     }
     let n = values.len() as f64;
     let half = student_quantile(0.5 + level / 2.0, n - 1.0) * sample_sd(values) / n.sqrt();
@@ -183,7 +188,8 @@ mod tests {
         assert!(welch_t(&[1.0, 1.0], &[1.0, 1.0]).p.is_nan());
         assert!(cohens_d(&[], &[]).is_nan());
         assert!(confidence_interval(&[], 0.95).low.is_nan());
-        assert_eq!(sample_sd(&[4.0]), 0.0);
+        assert!(sample_sd(&[4.0]).is_nan());
+        assert!(confidence_interval(&[4.0], 0.95).high.is_nan());
         assert_eq!(welch_t(&[2.0, 2.0], &[1.0, 1.0]).p, 0.0);
     }
 

@@ -26,14 +26,14 @@ impl Point {
         Self { x, y, band: None }
     }
 
-    /// The mean of the seeds, with its 95 % confidence interval as the band.
+    /// The mean of the seeds, with its 95 % confidence interval as the band; one seed has none.
     #[must_use]
     pub fn mean_of(x: f64, seeds: &[f64]) -> Self {
         let interval = confidence_interval(seeds, 0.95);
         Self {
             x,
             y: mean(seeds),
-            band: Some((interval.low, interval.high)),
+            band: (seeds.len() > 1).then_some((interval.low, interval.high)),
         }
     }
 }
