@@ -4,7 +4,6 @@
 //! interval on every machine.
 //! Without enough values the answer is NaN or `None`, never a panic.
 
-use cla_core::num::Rng;
 use statrs::distribution::{Beta, Binomial, ContinuousCDF, DiscreteCDF, StudentsT};
 
 use super::statistics::{Interval, mean, sample_sd};
@@ -219,12 +218,12 @@ pub fn ratio_interval(above: &[f64], below: &[f64]) -> Interval {
     if pairs.len() < 2 {
         return Interval::NONE;
     }
-    let mut rng = Rng::new(RESAMPLING);
+    let mut state = RESAMPLING;
     let mut ratios = Vec::with_capacity(RESAMPLES as usize);
     for _ in 0..RESAMPLES {
         let (mut sum, mut whole) = (0.0, 0.0);
         for _ in 0..pairs.len() {
-            let drawn = rng.below(pairs.len() as u32) as usize;
+            let drawn = draw(&mut state, pairs.len());
             if let Some((above, below)) = pairs.get(drawn) {
                 sum += above;
                 whole += below;
@@ -240,6 +239,17 @@ pub fn ratio_interval(above: &[f64], below: &[f64]) -> Interval {
         low: super::statistics::quantile(&ratios, tail),
         high: super::statistics::quantile(&ratios, 1.0 - tail),
     }
+}
+
+/// A number below `bound`, by SplitMix64 (Steele, Lea and Flood 2014): a report has a generator of
+/// its own, so that no brain's draws hang on what is reported of it.
+fn draw(state: &mut u64, bound: usize) -> usize {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let mut mixed = *state;
+    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    mixed ^= mixed >> 31;
+    ((u128::from(mixed) * bound as u128) >> 64) as usize
 }
 
 /// Holm's correction of the probabilities of one family, in their order; NaN stays, and is no member.

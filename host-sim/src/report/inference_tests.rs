@@ -133,3 +133,17 @@ fn too_little_gives_no_answer_and_never_panics() {
     assert!(nothing.low.is_nan());
     assert!(holm(&[]).is_empty());
 }
+
+#[test]
+fn the_resampling_draws_the_published_sequence() {
+    // The first outputs of SplitMix64 for seed 1234567, as its reference implementation prints them.
+    let mut state = 1_234_567;
+    let drawn = [(); 3].map(|()| super::draw(&mut state, 1_000_000));
+    let outputs: [u64; 3] = [
+        6_457_827_717_110_365_317,
+        3_203_168_211_198_807_973,
+        9_817_491_932_198_370_423,
+    ];
+    let expected = outputs.map(|it| ((u128::from(it) * 1_000_000) >> 64) as usize);
+    assert_eq!(drawn, expected);
+}
