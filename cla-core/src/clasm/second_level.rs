@@ -627,3 +627,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize> Default
         Self::new()
     }
 }
+
+#[cfg(test)]
+#[path = "second_level_tests.rs"]
+mod tests;
