@@ -176,7 +176,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 
 #[cfg(test)]
 mod tests {
-    use super::{ActionId, ChoiceRule, KnowledgeBase, ValueConfig};
+    use super::{ActionId, ChoiceRule, KnowledgeBase, SchemaId, ValueConfig, Voice, most_worth};
     use crate::clasm::{ItemId, ItemStates, SchemaText, Vocabulary};
 
     const WORDS: Vocabulary = Vocabulary {
@@ -259,5 +259,84 @@ mod tests {
         ]);
         let [leap, _] = it.expected_values::<2>(&here(), &ValueConfig::BOOK);
         assert!((leap.value - 10.0).abs() < 1e-4, "{leap:?}");
+    }
+
+    #[test]
+    fn habit_has_its_share_of_an_actions_worth_and_schemas_have_the_rest() {
+        let promised = [4.0, 2.0, 0.0];
+        let say = |weight| {
+            let voice = Voice {
+                weight,
+                worth: [0.0, 20.0, 6.0],
+            };
+            most_worth(&promised, Some(&voice))
+        };
+        assert_eq!(most_worth(&promised, None), Some((ActionId(0), 4.0)));
+        assert_eq!(say(0.0), Some((ActionId(0), 4.0)));
+        assert_eq!(say(0.25), Some((ActionId(1), 0.75 * 2.0 + 0.25 * 20.0)));
+        assert_eq!(say(1.0), Some((ActionId(1), 20.0)));
+    }
+
+    #[test]
+    fn of_actions_worth_the_same_the_first_is_done_and_without_a_promise_none() {
+        assert_eq!(most_worth(&[1.0, 3.0, 3.0], None), Some((ActionId(1), 3.0)));
+        let voice = Voice {
+            weight: 0.5,
+            worth: [7.0, 9.0],
+        };
+        assert_eq!(most_worth(&[0.0, 0.0], Some(&voice)), None);
+        assert_eq!(most_worth(&[0.0, 0.0], None), None);
+        // One promise lets habit speak for the other action.
+        assert_eq!(
+            most_worth(&[1.0, 0.0], Some(&voice)),
+            Some((ActionId(1), 4.5))
+        );
+        assert_eq!(most_worth(&[f32::NAN, 1.0], None), Some((ActionId(1), 1.0)));
+    }
+
+    #[test]
+    fn the_schema_that_speaks_for_an_action_is_its_most_reliable_that_applies() {
+        let mut it = knowledge(&[
+            ("+here/leap/+gold", 3, 10),
+            ("+here/leap/+path", 7, 10),
+            ("+here/leap/-here", 7, 10),
+            ("+here/walk/+here", 9, 10),
+            ("+path/leap/+gold", 10, 10),
+        ]);
+        let best = it
+            .prefer::<2>(&here(), ChoiceRule::ExpectedValue, &ValueConfig::BOOK)
+            .unwrap();
+        assert_eq!((best.action, best.schema), (ActionId(0), Some(SchemaId(1))));
+        let seen = it.cost.schemas;
+        let of = |it: &mut KnowledgeBase<1, 16, 16>, action| {
+            it.most_reliable_applicable(&here(), ActionId(action), &ValueConfig::BOOK)
+        };
+        assert_eq!(of(&mut it, 1), Some(SchemaId(3)));
+        assert_eq!(it.cost.schemas - seen, 4, "those that apply");
+        assert_eq!(of(&mut it, 2), None);
+    }
+
+    #[test]
+    fn the_books_rule_takes_value_first_reliability_second_and_the_first_of_equals() {
+        let choose = |schemas: &[(&str, u32, u32)]| {
+            let mut it = knowledge(schemas);
+            let best = it.prefer::<2>(&here(), ChoiceRule::Lexicographic, &ValueConfig::BOOK);
+            let best = best.unwrap();
+            (best.schema.unwrap().0, best.action.0, best.value)
+        };
+        // The surer schema of lower value loses, whatever the order.
+        let (sure, bold) = (("+here/walk/+path", 9, 10), ("+here/leap/+gold", 1, 10));
+        assert_eq!(choose(&[sure, bold]), (1, 0, 10.0));
+        assert_eq!(choose(&[bold, sure]), (0, 0, 10.0));
+        // Of equals the first; the surer of equally valuable ones, whatever the order.
+        let (other, better) = (("+here/walk/+gold", 1, 10), ("+here/walk/+gold", 2, 10));
+        assert_eq!(choose(&[bold, other]), (0, 0, 10.0));
+        assert_eq!(choose(&[bold, better]), (1, 1, 10.0));
+        assert_eq!(choose(&[better, bold]), (0, 1, 10.0));
+        // A result without value is better than nothing, and the robot has no third action.
+        assert_eq!(choose(&[("+here/walk/-path", 1, 10)]), (0, 1, 0.0));
+        let mut it = knowledge(&[("+here/walk/+gold", 1, 10)]);
+        let none = it.prefer::<1>(&here(), ChoiceRule::Lexicographic, &ValueConfig::BOOK);
+        assert_eq!(none, None);
     }
 }

@@ -396,3 +396,7 @@ pub struct Appraisal {
 pub(super) fn state_of<const WORDS: usize>(items: &SignedItems<WORDS>) -> ItemStates<WORDS> {
     ItemStates::from_sets(items.positive(), items.negative())
 }
+
+#[cfg(test)]
+#[path = "value_tests.rs"]
+mod tests;
