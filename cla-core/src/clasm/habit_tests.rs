@@ -211,3 +211,102 @@ fn without_habits_nothing_is_practised_and_bad_ones_are_refused() {
     let seen = unborn.observe(&now, RIGHT, &now);
     assert_eq!(seen, Err(AgentError::NotBegun));
 }
+
+#[test]
+fn habits_that_are_cleared_are_as_new() {
+    let mut it = Three::new();
+    it.feel((at(0), Some(SyntheticId(1)), RIGHT), 10.0, 0.5, &CONFIG);
+    it.feel((at(1), None, RIGHT), 0.0, 0.5, &CONFIG);
+    assert_ne!(it, Three::new());
+    it.clear();
+    assert_eq!(it, Three::new());
+    assert_eq!(it, Three::default());
+}
+
+#[test]
+fn a_new_life_begins_without_the_habits_of_the_old_one() {
+    let mut agent = miner(Some(CONFIG));
+    dig(&mut agent, true, 200);
+    assert_ne!(*agent.habits(), Habits::new());
+    agent.begin(AgentConfig::FORAGER_LEVEL2, 1).unwrap();
+    assert_eq!(*agent.habits(), Habits::new());
+}
+
+#[test]
+fn a_surprise_is_what_came_and_what_is_to_be_had_less_what_was_expected() {
+    let mut it = Three::new();
+    it.items[0] = [4.0, 0.0];
+    it.items[1] = [0.0, 6.0];
+    it.feel((at(0), None, RIGHT), 3.0, 0.25, &CONFIG);
+    // Always and the item move by a quarter each of 3 + .85 · 6 − 4.
+    let moved = it.feel((at(1), None, WRONG), 0.0, 0.25, &CONFIG);
+    assert_eq!(moved, 2);
+    let step = 0.25 * (3.0 + 0.85 * 6.0 - 4.0);
+    let near = |value: f32, expected: f32| assert!((value - expected).abs() < 1e-5, "{value}");
+    near(it.always[0], step);
+    near(it.items[0][0], 4.0 + step);
+    assert_eq!(it.items[1], [0.0, 6.0]);
+    // At full rate a deed of two features moves by half the surprise each: to what was felt.
+    it.feel((at(2), None, RIGHT), 0.0, 1.0, &CONFIG);
+    let before = it.worth(&at(2), None)[0];
+    near(it.items[1][1] + it.always[1], 0.85 * before);
+}
+
+#[test]
+fn what_is_not_finite_is_not_learned() {
+    let mut it = Three::new();
+    it.feel((at(0), None, RIGHT), f32::INFINITY, 0.5, &CONFIG);
+    assert_eq!(it.feel((at(1), None, RIGHT), 0.0, 0.5, &CONFIG), 0);
+    assert_eq!(it.worth(&at(0), None), [0.0, 0.0]);
+}
+
+#[test]
+fn a_trace_that_came_again_belongs_to_the_newer_deed() {
+    let mut it = Three::new();
+    let trace = Some(SyntheticId(3));
+    it.feel((ItemSet::EMPTY, trace, WRONG), 0.0, 0.25, &CONFIG);
+    it.feel((ItemSet::EMPTY, trace, RIGHT), 10.0, 0.25, &CONFIG);
+    let moved = it.feel((ItemSet::EMPTY, None, RIGHT), 0.0, 0.25, &CONFIG);
+    assert_eq!((moved, it.traces[3]), (2, [2.5, 0.0]));
+    // A trace that is renewed is no part of the deeds any more, others are.
+    it.feel(
+        (ItemSet::EMPTY, Some(SyntheticId(2)), RIGHT),
+        0.0,
+        0.25,
+        &CONFIG,
+    );
+    it.renew(SyntheticId(3));
+    it.feel((ItemSet::EMPTY, None, RIGHT), 10.0, 0.25, &CONFIG);
+    it.feel((ItemSet::EMPTY, None, RIGHT), 0.0, 0.25, &CONFIG);
+    assert_eq!(it.traces[3], [0.0, 0.0]);
+    assert!(it.traces[2][0] > 0.5);
+}
+
+#[test]
+fn a_configuration_of_habits_is_sound_when_every_number_is_in_range() {
+    let bad: [fn(&mut HabitConfig); 9] = [
+        |it| it.weight = 1.5,
+        |it| it.weight = -0.5,
+        |it| it.discount = 1.0,
+        |it| it.discount = -0.1,
+        |it| it.lambda = 1.1,
+        |it| it.lambda = f32::NAN,
+        |it| it.learning_rate = -1.0,
+        |it| it.doubting_rate = 2.0,
+        |it| it.doubting_rate = f32::INFINITY,
+    ];
+    for (index, spoil) in bad.into_iter().enumerate() {
+        let mut config = CONFIG;
+        assert!(config.is_sound());
+        spoil(&mut config);
+        assert!(!config.is_sound(), "{index}");
+    }
+    let edges = HabitConfig {
+        weight: 0.0,
+        discount: 0.0,
+        lambda: 1.0,
+        learning_rate: 0.0,
+        doubting_rate: 1.0,
+    };
+    assert!(edges.is_sound());
+}

@@ -331,9 +331,9 @@ fn what_was_believed_most_is_compared_with_what_came() {
     level.judge(ITEM[0], GO, Some(ITEM[2]));
     level.judge(ITEM[0], GO, Some(ITEM[1]));
     level.judge(ITEM[0], GO, None);
-    level.judge(ITEM[0], STAY, Some(ITEM[3]));
+    level.judge(ITEM[0], STAY, None);
     let predictions = level.predictions();
-    assert_eq!((predictions.successes(), predictions.activations()), (2, 4));
+    assert_eq!((predictions.successes(), predictions.activations()), (1, 4));
     // Of equally strong beliefs the first counts.
     meet(&mut level, ITEM[0], GO, 1, 1);
     assert_eq!(level.most_believed(ITEM[0], GO), Some(ITEM[1]));
@@ -370,9 +370,16 @@ fn a_doubt_leaves_no_more_occasions_than_the_evidence_does() {
     // Item 4 stands for one that ends in a, of which going on is known too.
     meet(&mut level, ITEM[4], GO, 0, 30);
     knowledge.begin_doubt();
-    let b = knowledge.schemas()[1].context;
-    let hold = knowledge.hold(b, GO);
-    assert!((10.0..60.0).contains(&hold), "{hold}");
+    // From b going now brings c, again and again.
+    for _ in 0..12 {
+        knowledge.count_hits(&only(1), GO, &only(2));
+    }
+    let [a, b] = [0, 1].map(|schema| knowledge.schemas()[schema].context);
+    let (elsewhere, hold) = (knowledge.hold(a, GO), knowledge.hold(b, GO));
+    assert!(
+        elsewhere > 40.0 && (10.0..25.0).contains(&hold),
+        "{elsewhere} {hold}"
+    );
     level.doubt(&knowledge);
     near(level.tried(ITEM[0], GO), hold);
     near(level.beliefs()[0].on, 0.6 * hold);
