@@ -162,6 +162,7 @@ fn the_root_holds_what_the_map_names_and_nothing_else() {
         "memory-budget.md",
         "README.md",
         "ARCHITECTURE.md",
+        "docs",
         "CHANGELOG.md",
         "CONTRIBUTING.md",
         "LICENSE-MIT",
