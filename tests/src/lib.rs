@@ -10,7 +10,9 @@ use std::path::{Path, PathBuf};
 /// ```
 #[must_use]
 pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+    // Where the test runs, not where it was built: a copied `target` would judge another checkout.
+    let package = std::env::var_os("CARGO_MANIFEST_DIR");
+    PathBuf::from(package.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into())).join("..")
 }
 
 /// A file of Rust source.
