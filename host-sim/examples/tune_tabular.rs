@@ -7,8 +7,8 @@
 
 use cla_core::clasm::Escape;
 use host_sim::baseline::tabular::{History, Method, Tabular, TabularConfig, Traces};
+use host_sim::failure::Failure;
 use host_sim::learner::{Learner, live};
-use host_sim::options::Failure;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::damage::{Damage, Damaged};
 use host_sim::world::pioneer::Pioneer;

@@ -5,7 +5,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use host_sim::cli::Cli;
-use host_sim::options::{Failure, Order};
+use host_sim::failure::Failure;
+use host_sim::options::Order;
 use host_sim::progress::Progress;
 use host_sim::report::Output;
 

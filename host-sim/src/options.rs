@@ -4,17 +4,16 @@
 //! written or trained yet.
 
 use std::path::{Path, PathBuf};
-use std::{error, fmt, fs};
 
 use cla_core::clasm::{AgentConfig, ItemId};
 use cla_core::forager;
 use clap::Parser;
 
-use crate::budget::Budget;
 use crate::cli::{
-    AngleArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, HilArgs, MicroworldArgs,
-    OutArgs, RecoverArgs, SeedArgs, WorldArgs,
+    AngleArgs, BudgetArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, HilArgs,
+    MicroworldArgs, OutArgs, RecoverArgs, SeedArgs, WorldArgs,
 };
+use crate::device::budget::Budget;
 use crate::experiment::angle::{self, AngleConfig};
 use crate::experiment::calibrate;
 use crate::experiment::causal::{self, network::CausalConfig};
@@ -23,39 +22,17 @@ use crate::experiment::mcu;
 use crate::experiment::microworld::{self, MicroworldOptions};
 use crate::experiment::recover::life::Protocol;
 use crate::experiment::recover::{self, RecoverOptions};
+use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
 use crate::report::Results;
 use crate::world::config::{AfterCapture, PioneerConfig};
 use crate::world::damage::{Damage, Damaged};
-use crate::world::layout::Layout;
 use crate::world::microworld::{Body, Oracle, item};
-use crate::world::pioneer::{self, Pioneer};
+use crate::world::pioneer;
+use crate::world::setting::{WorldOptions, read_layout};
 
 /// Most seeds of one run.
 const MOST_SEEDS: u64 = 100_000;
-
-/// Options that cannot be run, in one sentence.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Impossible(String);
-
-impl Impossible {
-    /// The sentence, without a full stop.
-    #[must_use]
-    pub fn new(sentence: impl fmt::Display) -> Self {
-        Self(sentence.to_string().replace('\n', " "))
-    }
-}
-
-impl fmt::Display for Impossible {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl error::Error for Impossible {}
-
-/// Why an experiment that could be run failed.
-pub type Failure = Box<dyn error::Error + Send + Sync>;
 
 /// An experiment with options that can be run.
 #[derive(Clone, Debug)]
@@ -104,7 +81,7 @@ impl Order {
             Command::Forage(args) => Ok(Self {
                 job: Job::Forage(Box::new(forage_options(args)?)),
                 out: directory(&args.out, "forage"),
-                budget: Some(Budget::new(&args.budget)?),
+                budget: Some(budget(&args.budget)?),
             }),
             Command::Calibrate(CalibrateArgs { out }) => Ok(Self {
                 job: Job::Calibrate,
@@ -124,7 +101,7 @@ impl Order {
             Command::Recover(args) => Ok(Self {
                 job: Job::Recover(Box::new(recover_options(args)?)),
                 out: directory(&args.out, "recover"),
-                budget: Some(Budget::new(&args.budget)?),
+                budget: Some(budget(&args.budget)?),
             }),
             Command::Microworld(args) => Ok(Self {
                 job: Job::Microworld(microworld_options(args)?),
@@ -134,12 +111,12 @@ impl Order {
             Command::Mcu(args) => Ok(Self {
                 job: Job::Mcu(seeds(&args.seeds)?),
                 out: directory(&args.out, "mcu"),
-                budget: Some(Budget::new(&args.budget)?),
+                budget: Some(budget(&args.budget)?),
             }),
             Command::Hil(args) => Ok(Self {
                 job: hil(args)?,
                 out: directory(&args.out, "hil"),
-                budget: Some(Budget::new(&args.budget)?),
+                budget: Some(budget(&args.budget)?),
             }),
         }
     }
@@ -201,7 +178,7 @@ fn forage_options(args: &ForageArgs) -> Result<ForageOptions, Impossible> {
     }
     let options = ForageOptions {
         seeds: seeds(&args.seeds)?,
-        world: WorldOptions::new(&args.world)?,
+        world: world(&args.world)?,
         brain: AgentConfig::FORAGER,
         actions: args.actions,
         test_actions: args.test_actions,
@@ -217,7 +194,7 @@ fn recover_options(args: &RecoverArgs) -> Result<RecoverOptions, Impossible> {
         let sentence = "--removed does not go with recover: a cleared room teaches nothing more";
         return Err(Impossible::new(sentence));
     }
-    let world = WorldOptions::new(&args.world)?;
+    let world = world(&args.world)?;
     let mut damages = Vec::new();
     let read = |text: &str| {
         let damage = Damage::parse(text, &pioneer::ITEMS, &pioneer::ACTIONS);
@@ -288,6 +265,10 @@ fn microworld_goal(text: &str) -> Result<ItemId, Impossible> {
     }
 }
 
+fn budget(args: &BudgetArgs) -> Result<Budget, Impossible> {
+    Budget::new(&args.budget, &args.processor)
+}
+
 fn directory(args: &OutArgs, experiment: &str) -> PathBuf {
     let default = || Path::new("runs").join(experiment);
     args.out.clone().unwrap_or_else(default)
@@ -323,83 +304,50 @@ pub fn seeds(args: &SeedArgs) -> Result<Vec<u64>, Impossible> {
     Ok((from..to).collect())
 }
 
-/// A world that can be built for any seed.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WorldOptions {
-    /// Its parameters.
-    pub config: PioneerConfig,
-    /// The places of the specimens, when a file gives them.
-    pub layout: Option<Layout>,
-}
-
-impl WorldOptions {
-    /// Checks the parameters and the layout, and builds the world once to see that it can be.
-    ///
-    /// # Errors
-    /// [`Impossible`] for the first thing that cannot be.
-    pub fn new(args: &WorldArgs) -> Result<Self, Impossible> {
-        let base = match args.world.as_str() {
-            "noisy" => PioneerConfig::NOISY,
-            "noise-free" => PioneerConfig::NOISE_FREE,
-            other => {
-                let sentence = format!("--world is noisy or noise-free, not {other:?}");
-                return Err(Impossible::new(sentence));
-            }
-        };
-        let config = PioneerConfig {
-            radius: args.radius.unwrap_or(base.radius),
-            specimens: args.specimens.unwrap_or(base.specimens),
-            forward: args.forward.unwrap_or(base.forward),
-            drop_out: args.drop_out.unwrap_or(base.drop_out),
-            step_noise: args.step_noise.unwrap_or(base.step_noise),
-            turn_noise: args.turn_noise.unwrap_or(base.turn_noise),
-            after_capture: if args.removed {
-                AfterCapture::Removed
-            } else {
-                base.after_capture
-            },
-            ..base
-        };
-        config.validate().map_err(Impossible::new)?;
-        if args.layout.is_some() && args.specimens.is_some() {
-            let sentence =
-                "--specimens does not go with --layout: the file says how many there are";
+/// The world that the arguments describe.
+///
+/// # Errors
+/// [`Impossible`] for the first thing that cannot be.
+pub fn world(args: &WorldArgs) -> Result<WorldOptions, Impossible> {
+    let base = match args.world.as_str() {
+        "noisy" => PioneerConfig::NOISY,
+        "noise-free" => PioneerConfig::NOISE_FREE,
+        other => {
+            let sentence = format!("--world is noisy or noise-free, not {other:?}");
             return Err(Impossible::new(sentence));
         }
-        let layout = match &args.layout {
-            Some(path) => Some(read_layout(path, config.radius)?),
-            None => None,
-        };
-        let options = Self { config, layout };
-        options.build(0)?;
-        Ok(options)
+    };
+    let config = PioneerConfig {
+        radius: args.radius.unwrap_or(base.radius),
+        specimens: args.specimens.unwrap_or(base.specimens),
+        forward: args.forward.unwrap_or(base.forward),
+        drop_out: args.drop_out.unwrap_or(base.drop_out),
+        step_noise: args.step_noise.unwrap_or(base.step_noise),
+        turn_noise: args.turn_noise.unwrap_or(base.turn_noise),
+        after_capture: if args.removed {
+            AfterCapture::Removed
+        } else {
+            base.after_capture
+        },
+        ..base
+    };
+    config.validate().map_err(Impossible::new)?;
+    if args.layout.is_some() && args.specimens.is_some() {
+        let sentence = "--specimens does not go with --layout: the file says how many there are";
+        return Err(Impossible::new(sentence));
     }
-
-    /// The world of a seed.
-    ///
-    /// # Errors
-    /// [`Impossible`] when the specimens do not fit the room.
-    pub fn build(&self, seed: u64) -> Result<Pioneer, Impossible> {
-        match &self.layout {
-            Some(layout) => Pioneer::with_layout(self.config, layout, seed),
-            None => Pioneer::new(self.config, seed),
-        }
-        .map_err(Impossible::new)
-    }
-}
-
-fn read_layout(path: &Path, radius: f64) -> Result<Layout, Impossible> {
-    let name = path.display();
-    let text = fs::read_to_string(path)
-        .map_err(|error| Impossible::new(format!("cannot read the layout {name}: {error}")))?;
-    Layout::parse(&text, radius)
-        .map_err(|error| Impossible::new(format!("the layout {name} is wrong: {error}")))
+    let layout = args.layout.as_deref();
+    let layout = layout
+        .map(|path| read_layout(path, config.radius))
+        .transpose()?;
+    WorldOptions::new(config, layout)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Impossible, WorldOptions, microworld_goal, seeds};
+    use super::{microworld_goal, seeds, world};
     use crate::cli::{SeedArgs, WorldArgs};
+    use crate::failure::Impossible;
 
     fn read(text: &str) -> Result<Vec<u64>, Impossible> {
         seeds(&SeedArgs {
@@ -457,7 +405,7 @@ mod tests {
 
     #[test]
     fn impossible_worlds_are_refused_before_anything_runs() {
-        assert!(WorldOptions::new(&noisy()).is_ok());
+        assert!(world(&noisy()).is_ok());
         let spoil: [fn(&mut WorldArgs); 6] = [
             |w| w.specimens = Some(0),
             |w| w.drop_out = Some(f64::NAN),
@@ -470,7 +418,7 @@ mod tests {
         for (index, spoil) in spoil.iter().enumerate() {
             let mut args = noisy();
             spoil(&mut args);
-            let sentence = WorldOptions::new(&args).unwrap_err().to_string();
+            let sentence = world(&args).unwrap_err().to_string();
             assert!(!sentence.contains('\n'), "{index}: {sentence}");
         }
     }

@@ -6,10 +6,10 @@
 use cla_core::clasm::AgentConfig;
 use host_sim::experiment::calibrate;
 use host_sim::experiment::forage::{self, ForageOptions};
-use host_sim::options::WorldOptions;
 use host_sim::progress::Progress;
 use host_sim::report::Summary;
 use host_sim::world::config::PioneerConfig;
+use host_sim::world::setting::WorldOptions;
 
 fn committed(text: &str) -> Summary {
     Summary::from_json(text).expect("a committed claims file can be read")

@@ -8,7 +8,8 @@ use std::process::Command;
 
 use firmware_example::controller::{End, Heard, SafeStop, Wire, serve};
 use firmware_example::link::{Answer, Dropped, FRAME, Numbered, Order, Receiver, encode};
-use host_sim::experiment::mcu::board::{Build, Target, section_bytes};
+use host_sim::device::board::{Build, section_bytes};
+use host_sim::device::target::Target;
 use host_sim::experiment::mcu::distant::Distant;
 use host_sim::experiment::mcu::hil;
 

@@ -1,7 +1,8 @@
 //! The committed results of `mcu` are the ones that were promised, and a part of them comes out
 //! again: what needs no emulator here, the rest in `firmware`, `hil` and `panic_free`.
 
-use host_sim::experiment::mcu::board::{Build, Target, section_bytes};
+use host_sim::device::board::{Build, section_bytes};
+use host_sim::device::target::Target;
 use host_sim::report::Summary;
 
 fn committed() -> Summary {

@@ -4,7 +4,8 @@
 //! Needs the target thumbv7em-none-eabihf; `tests/run` gets it.
 
 use cla_tests::{root, sources};
-use host_sim::experiment::mcu::board::{Build, Target};
+use host_sim::device::board::Build;
+use host_sim::device::target::Target;
 
 const PROOF: &str = "firmware-example/src/bin/panic_free.rs";
 

@@ -4,11 +4,11 @@
 
 use host_sim::experiment::recover::life::Protocol;
 use host_sim::experiment::recover::{self, RecoverOptions};
-use host_sim::options::WorldOptions;
 use host_sim::progress::Progress;
 use host_sim::report::Summary;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::damage::Damage;
+use host_sim::world::setting::WorldOptions;
 
 fn committed() -> Summary {
     Summary::from_json(include_str!("../claims/recover.json"))

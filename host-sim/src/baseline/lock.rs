@@ -8,8 +8,8 @@
 use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
 
-use super::Controller;
 use super::sector::Sector;
+use crate::learner::controller::Controller;
 use crate::world::Percept;
 use crate::world::pioneer::{FORWARD, S1};
 

@@ -12,47 +12,11 @@ pub mod sector;
 pub mod tabular;
 pub mod told;
 
-use cla_core::num::Rng;
-
-use crate::world::{Percept, World};
-
-/// Something that chooses the Pioneer's next action from its percept.
-pub trait Controller {
-    /// The index of the next action, given what the sensors report now.
-    ///
-    /// Reflexes have already run, so `ingrip` and `bump` are off.
-    fn choose(&mut self, percept: &Percept, rng: &mut Rng) -> usize;
-}
-
-/// Lets a controller live in a world for `actions` actions, or until the world has ended.
-///
-/// `sense` is what it sees: `World::sense`, as a learner, or `Pioneer::sense_all_sectors`, as the
-/// controllers of the Stage runs.
-/// Returns the captures of this time.
-pub fn live<W: World + ?Sized>(
-    world: &mut W,
-    sense: impl Fn(&W) -> Percept,
-    controller: &mut dyn Controller,
-    rng: &mut Rng,
-    actions: u32,
-) -> u32 {
-    let before = world.captures();
-    while world.reflex() {}
-    for _ in 0..actions {
-        if world.finished() {
-            break;
-        }
-        world.act(controller.choose(&sense(world), rng));
-        while world.reflex() {}
-    }
-    world.captures() - before
-}
-
 #[cfg(test)]
 mod tests {
     use super::random::Random;
     use super::sector::Sector;
-    use super::{Controller, live};
+    use crate::learner::controller::{Controller, live};
     use crate::world::config::PioneerConfig;
     use crate::world::pioneer::Pioneer;
     use crate::world::{Percept, World};

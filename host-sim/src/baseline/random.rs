@@ -2,7 +2,7 @@
 
 use cla_core::num::Rng;
 
-use super::Controller;
+use crate::learner::controller::Controller;
 use crate::world::Percept;
 
 /// Draws uniformly from the first `actions` actions.

@@ -8,7 +8,7 @@
 use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
 
-use super::Controller;
+use crate::learner::controller::Controller;
 use crate::world::Percept;
 use crate::world::pioneer::{FORWARD, S1, TURN_LEFT, TURN_RIGHT};
 

@@ -19,8 +19,8 @@ use std::collections::BTreeMap;
 use cla_core::clasm::{Escape, ItemId};
 use cla_core::num::Rng;
 
+use crate::failure::Failure;
 use crate::learner::{Learner, Thought};
-use crate::options::Failure;
 use crate::world::Percept;
 use crate::world::pioneer::{ACTIONS, INGRIP};
 

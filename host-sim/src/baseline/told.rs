@@ -8,10 +8,10 @@
 use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
 
-use super::Controller;
 use super::sector::Sector;
+use crate::failure::Failure;
 use crate::learner::Learner;
-use crate::options::Failure;
+use crate::learner::controller::Controller;
 use crate::world::Percept;
 use crate::world::camera::{FIELD_OF_VIEW, SECTORS};
 use crate::world::damage::Damage;

@@ -1,11 +1,44 @@
-//! A controller that learns nothing, as a [`Learner`]: the floor and the ceiling of a comparison.
+//! What drives a robot and learns nothing: the floor and the ceiling of a comparison.
+//!
+//! [`live`] drives it by itself; [`Untaught`] makes it a [`Learner`], for the lives that all share.
 
 use cla_core::num::Rng;
 
 use super::Learner;
-use crate::baseline::Controller;
-use crate::options::Failure;
-use crate::world::Percept;
+use crate::failure::Failure;
+use crate::world::{Percept, World};
+
+/// Something that chooses the Pioneer's next action from its percept.
+pub trait Controller {
+    /// The index of the next action, given what the sensors report now.
+    ///
+    /// Reflexes have already run, so `ingrip` and `bump` are off.
+    fn choose(&mut self, percept: &Percept, rng: &mut Rng) -> usize;
+}
+
+/// Lets a controller live in a world for `actions` actions, or until the world has ended.
+///
+/// `sense` is what it sees: `World::sense`, as a learner, or `Pioneer::sense_all_sectors`, as the
+/// controllers of the Stage runs.
+/// Returns the captures of this time.
+pub fn live<W: World + ?Sized>(
+    world: &mut W,
+    sense: impl Fn(&W) -> Percept,
+    controller: &mut dyn Controller,
+    rng: &mut Rng,
+    actions: u32,
+) -> u32 {
+    let before = world.captures();
+    while world.reflex() {}
+    for _ in 0..actions {
+        if world.finished() {
+            break;
+        }
+        world.act(controller.choose(&sense(world), rng));
+        while world.reflex() {}
+    }
+    world.captures() - before
+}
 
 /// Any controller with its own source of chance.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@ use cla_core::forager::pioneer::{self, Brain, VOCABULARY};
 use cla_core::som::Prototypes;
 
 use super::{Learner, Thought};
-use crate::options::Failure;
+use crate::failure::Failure;
 use crate::world;
 
 /// The world's percept in the words of the forager's brain.

@@ -7,8 +7,8 @@
 pub mod controller;
 pub mod forager;
 
-use crate::meter::Load;
-use crate::options::Failure;
+use crate::device::meter::Load;
+use crate::failure::Failure;
 use crate::world::damage::Damage;
 use crate::world::pioneer::{GRIP, INGRIP, TURN_AROUND};
 use crate::world::{Percept, World};

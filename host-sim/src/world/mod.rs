@@ -11,6 +11,7 @@ pub mod launching;
 pub mod layout;
 pub mod microworld;
 pub mod pioneer;
+pub mod setting;
 
 use cla_core::clasm::ItemStates;
 

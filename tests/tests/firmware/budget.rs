@@ -4,7 +4,8 @@
 
 use std::fs;
 
-use host_sim::experiment::mcu::board::{Build, Printed, Target, section_bytes};
+use host_sim::device::board::{Build, Printed, section_bytes};
+use host_sim::device::target::Target;
 
 use super::run_once;
 

@@ -1,8 +1,8 @@
 //! The cost meter against QEMU: what the host estimates is what the board takes, nearly.
 
 use firmware_example::meter::Part;
-use host_sim::experiment::mcu::board::Target;
-use host_sim::meter::{Step, Weights, steps, weights_file};
+use host_sim::device::meter::{Step, Weights, steps, weights_file};
+use host_sim::device::target::Target;
 
 use super::budget::{HEAD, Rows, Tolerance, hold};
 

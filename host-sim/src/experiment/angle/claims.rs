@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use super::network::AngleConfig;
+use super::network::{AngleConfig, Looking, Responses};
 use super::stimulus::{MIDPOINT_CHANNELS, ORIENTATION_CHANNELS};
-use super::{Looking, Responses, SeedResult};
+use super::trial::SeedResult;
 use crate::report::figure::{Axes, Bar, FigureError, Picture, bar_chart};
 use crate::report::{
     Bound, Claim, Expectation, Rule, Summary, Table, cohens_d, mean, sample_sd, welch_t,

@@ -6,7 +6,6 @@ use cla_core::layer::{Join, Layer, LayerConfig, Signal, Stack, Structure};
 use cla_core::num::{Rng, Schedule};
 
 use super::stimulus::{AngleStimulus, MIDPOINT_CHANNELS, ORIENTATION_CHANNELS};
-use super::{Looking, Responses};
 
 type Orientation = Layer<6, 6, ORIENTATION_CHANNELS>;
 type Midpoints = Layer<6, 6, MIDPOINT_CHANNELS>;
@@ -78,6 +77,26 @@ impl AngleConfig {
         )
         .expect("a positive width")
     }
+}
+
+/// What is answered to the three stimuli of Fig 2.1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Looking {
+    /// The 45° angle of habituation.
+    pub habituated: f64,
+    /// Test A: 45°, rotated, with new orientations of its lines.
+    pub rotated: f64,
+    /// Test B: 135°, with the orientations of habituation.
+    pub opened: f64,
+}
+
+/// What one network answers, at both of its levels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Responses {
+    /// Novelty at the Top layer: the network's response.
+    pub top: Looking,
+    /// How far the activations of Level 1 are from those of the habituation stimulus, Σ |a − b|.
+    pub level_1: Looking,
 }
 
 /// What the study needs of a structure, with and without midpoints.

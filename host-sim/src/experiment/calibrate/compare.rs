@@ -6,8 +6,8 @@
 
 use core::fmt::Write;
 
+use super::trial::{Driver, Row};
 use super::yardstick::Run;
-use super::{Driver, Row};
 
 /// How far the actions to the last capture may be off, as a share.
 pub const ACTIONS_TOLERANCE: f64 = 0.20;
@@ -155,8 +155,8 @@ fn median(values: &[f64]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Driver, run_all, run_row};
     use super::{findings, median, table};
+    use crate::experiment::calibrate::trial::{Driver, run_all, run_row};
 
     #[test]
     fn the_servo_does_in_our_world_what_it_did_in_stage() {

@@ -1,9 +1,9 @@
 //! The calibration as an experiment: all conditions at once, then claims and two figures.
 
 use super::compare::{Finding, findings};
+use super::trial::{Driver, Row, STEPS, run_row};
 use super::yardstick::{LAYOUTS, RADII};
-use super::{Driver, Row, STEPS, run_row};
-use crate::options::Failure;
+use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::report::figure::{Axes, Bar, bar_chart};
 use crate::report::{Claim, Expectation, Results, Rule, Summary, Table};
@@ -98,7 +98,7 @@ fn bar(finding: &Finding, prefix: &str) -> Option<Bar> {
 mod tests {
     use super::claim;
     use crate::experiment::calibrate::compare::findings;
-    use crate::experiment::calibrate::{Driver, run_row};
+    use crate::experiment::calibrate::trial::{Driver, run_row};
     use crate::report::Verdict;
 
     #[test]

@@ -7,12 +7,10 @@ use serde_json::{Value, json};
 use super::measure::{Causality, Differences, SEPARATION_MARGIN, SPECIAL};
 use super::network::CausalConfig;
 use super::overload::{Reaction, TESTS};
-use super::{SeedResult, tables};
+use super::tables;
+use super::trial::{Control, SeedResult, of};
 use crate::report::{Bound, Claim, Expectation, Rule, Summary, cohens_d, mean, sample_sd, welch_t};
 use crate::world::launching::{Event, Noise};
-
-/// Which network of a seed a control is about.
-pub(super) type Control = fn(&SeedResult) -> &Causality;
 
 pub(super) fn summary(config: &CausalConfig, results: &[SeedResult]) -> Summary {
     let seeds: Vec<u64> = results.iter().map(|result| result.seed).collect();
@@ -77,10 +75,6 @@ fn parameters(summary: &mut Summary, config: &CausalConfig) {
     summary.parameter("position jitter in cells", typed(events.position_jitter));
     summary.parameter("speed jitter in levels", typed(events.speed_jitter));
     summary.parameter("test events of each sort", TESTS);
-}
-
-pub(super) fn of<T>(results: &[SeedResult], measure: impl Fn(&SeedResult) -> T) -> Vec<T> {
-    results.iter().map(measure).collect()
 }
 
 fn components(results: &[SeedResult]) -> [Claim; 2] {

@@ -2,10 +2,10 @@
 //!
 //! Figures of single networks show the first seed, in the book's order of events.
 
-use super::SeedResult;
 use super::measure::Differences;
 use super::network::{LAYERS, View};
 use super::overload::{Reaction, Scores};
+use super::trial::SeedResult;
 use crate::report::figure::{Axes, Bar, FigureError, HeatMap, Picture, bar_chart, heat_maps, roc};
 use crate::world::launching::Event;
 
@@ -173,7 +173,7 @@ fn stages(result: &SeedResult) -> Result<Picture, FigureError> {
             .map_or(&[][..], |stage| &stage.composites[layer]);
         let most = end.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
         for moment in moments {
-            let near = |stage: &&super::Stage| u64::from(stage.event).abs_diff(moment);
+            let near = |stage: &&super::measure::Stage| u64::from(stage.event).abs_diff(moment);
             if let Some(stage) = result.stages.iter().min_by_key(near) {
                 let title = format!("{} {}", LAYERS[layer], stage.event);
                 let values = stage.composites[layer]
@@ -230,7 +230,7 @@ fn detectors(results: &[SeedResult]) -> Result<Picture, FigureError> {
 }
 
 fn controls(results: &[SeedResult]) -> Result<Picture, FigureError> {
-    let bar = |label: &str, network: fn(&SeedResult) -> &super::Causality| {
+    let bar = |label: &str, network: fn(&SeedResult) -> &super::measure::Causality| {
         let ratios: Vec<f64> = results
             .iter()
             .map(|result| {

@@ -2,11 +2,10 @@
 
 use serde_json::{Value, json};
 
-use super::SeedResult;
-use super::claims::{Control, of};
 use super::measure::Differences;
 use super::network::{LAYERS, PerLayer};
 use super::overload::{Overload, Rates, Reaction};
+use super::trial::{Control, SeedResult, of};
 use crate::report::{Table, mean, sample_sd};
 use crate::world::launching::{Event, Noise};
 

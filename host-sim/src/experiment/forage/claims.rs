@@ -2,10 +2,11 @@
 
 use cla_core::forager::pioneer;
 
+use super::bench::Captures;
 use super::level2_claims;
-use super::trial::{Captures, Found, Trial};
-use super::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
-use crate::options::Failure;
+use super::options::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
+use super::trial::{Found, Trial, of};
+use crate::failure::Failure;
 use crate::report::figure::{Axes, Line, Point, histogram, line_chart};
 use crate::report::{
     Bound, Claim, Expectation, Results, Rule, Summary, Table, Verdict, mean, sample_sd, welch_t,
@@ -33,10 +34,6 @@ pub(super) fn results(options: &ForageOptions, trials: &[Trial]) -> Result<Resul
     Ok(Results::new(summary)
         .picture("learning-curve", learning_curve(options, trials)?)
         .picture("reliability-histogram", reliability_histogram(trials)?))
-}
-
-pub(super) fn of(trials: &[Trial], number: impl Fn(&Trial) -> f64) -> Vec<f64> {
-    trials.iter().map(number).collect()
 }
 
 /// The last test of a seed: what training has come to.

@@ -1,9 +1,9 @@
 //! What is concluded about the second level, in both of its forms.
 
-use super::claims::of;
+use super::bench::Captures;
 use super::level2_schemas::{Finding, PRINTED};
 use super::second::Pair;
-use super::trial::{Captures, Trial};
+use super::trial::{Trial, of};
 use crate::report::{Bound, Claim, Expectation, Rule, mean, welch_t};
 
 /// In how many of the book's ten runs its level-2 schemas were generated, as a share (6.2.6).

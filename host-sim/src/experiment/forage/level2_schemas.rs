@@ -200,9 +200,9 @@ fn alike(one: &SchemaText<1>, other: &SchemaText<1>) -> bool {
 mod tests {
     use super::{PRINTED, alike, findings};
     use crate::experiment::forage::ForageOptions;
-    use crate::experiment::forage::som_level2::trained;
-    use crate::options::WorldOptions;
+    use crate::experiment::forage::harvested::trained;
     use crate::world::config::PioneerConfig;
+    use crate::world::setting::WorldOptions;
     use cla_core::clasm::{Adaptation, AgentConfig, SchemaText, SomLevelConfig};
     use cla_core::forager::pioneer::VOCABULARY;
 

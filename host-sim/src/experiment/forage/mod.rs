@@ -3,66 +3,22 @@
 //! `trial` is one seed of the experiment, `measure` what a knowledge base says about the book's
 //! schemas, `second` the second level on trial, `claims` what is concluded from all seeds.
 
+pub mod bench;
 mod claims;
+pub mod harvested;
 mod level2_claims;
 pub mod level2_schemas;
 pub mod measure;
+mod options;
 pub mod second;
 pub mod som_level2;
 pub mod trial;
 
-use cla_core::clasm::AgentConfig;
-
-use crate::meter::Load;
-use crate::options::{Failure, WorldOptions};
+use crate::device::meter::Load;
+use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::report::Results;
-use crate::world::config::PioneerConfig;
-
-/// Actions of training between two tests (book, 6.2.4).
-pub const SNAPSHOT: u32 = 1000;
-
-/// Number in the book, text, printed reliability with its deviation.
-pub type BookSchema = (&'static str, &'static str, Option<(f64, f64)>);
-
-/// Schemas that the book prints; all generated in every run.
-pub const BOOK_SCHEMAS: [BookSchema; 8] = [
-    ("6_1", "+s1/turnl/+s2", Some((0.286, 0.012))),
-    ("6_2", "+s3/forward/+s3", Some((0.351, 0.012))),
-    ("6_3", "+s3/forward/+s3+ingrip", None),
-    ("6_5", "+s1/turnl/+s1", None),
-    ("6_7", "/turnr/+s5", Some((0.082, 0.012))),
-    ("6_8", "/turnl/+s1", Some((0.091, 0.014))),
-    ("6_11", "+s3/forward/+s2", Some((0.113, 0.020))),
-    ("6_12", "+s2/turnl/+s3", Some((0.26, 0.011))),
-];
-
-/// What is varied.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ForageOptions {
-    /// The seeds.
-    pub seeds: Vec<u64>,
-    /// The world of training and tests.
-    pub world: WorldOptions,
-    /// The learner.
-    pub brain: AgentConfig,
-    /// Actions of training, a multiple of 1000 (book: 10,000).
-    pub actions: u32,
-    /// Actions of a test (book: 3000).
-    pub test_actions: u32,
-}
-
-impl ForageOptions {
-    /// Whether this is another world, learner or length than the one that the claims are about.
-    #[must_use]
-    pub fn is_varied(&self) -> bool {
-        self.world.config != PioneerConfig::NOISY
-            || self.world.layout.is_some()
-            || self.brain != AgentConfig::FORAGER
-            || self.actions != 10_000
-            || self.test_actions != 3_000
-    }
-}
+pub use options::{BOOK_SCHEMAS, BookSchema, ForageOptions, SNAPSHOT};
 
 /// Runs all seeds, judges the claims and draws the figures.
 ///

@@ -4,14 +4,14 @@
 //! Each explores as suits it best: level 1 in runs of 50, of which four in five are greedy (250
 //! captures; as level 2 does, 246), level 2 at every tenth action (seeds 20 to 43).
 
-use cla_core::clasm::{AgentConfig, Estimate, HabitConfig, Level2Config, Reading, SomLevelConfig};
+use cla_core::clasm::{AgentConfig, Estimate, HabitConfig, Level2Config};
 use cla_core::forager::pioneer::Brain;
 use cla_core::num::Rng;
 
-use super::level2_schemas::{self, Finding};
-use super::trial::{Bench, Captures};
-use super::{ForageOptions, som_level2};
-use crate::options::{Failure, WorldOptions};
+use super::bench::{Bench, Captures};
+use super::options::ForageOptions;
+use crate::failure::Failure;
+use crate::world::setting::WorldOptions;
 
 /// Share of greedy runs when level 1 goes on alone.
 const LEVEL1_GREEDY: f32 = 0.8;
@@ -76,59 +76,6 @@ fn level1_alone(options: &ForageOptions) -> AgentConfig {
         greedy_share: LEVEL1_GREEDY,
         ..options.brain
     }
-}
-
-/// What a second level harvested from Action SOMs collects (see `som_level2`).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Harvested {
-    /// Its nodes count how often items were on.
-    pub counters: Captures,
-    /// Only items that were on in nine of ten cases are read, as the book says.
-    pub cut: Captures,
-    /// With counters, in the large room.
-    pub large: Captures,
-    /// What the first of them knows of the book's level-2 schemas.
-    pub findings: [Finding; 5],
-    /// What it would know had it explored as the book's robot did.
-    pub exploring: [Finding; 5],
-}
-
-/// Gives the second level in the book's form its trials.
-///
-/// # Errors
-/// [`Failure`] when a world cannot be built or a brain cannot go on.
-pub(super) fn harvested(bench: &Bench<'_>, large: &WorldOptions) -> Result<Harvested, Failure> {
-    let there = ForageOptions {
-        world: large.clone(),
-        ..bench.options.clone()
-    };
-    let counters = SomLevelConfig::FORAGER;
-    let cut = SomLevelConfig {
-        reading: Reading::Cut(0.9),
-        ..counters
-    };
-    let (first, findings) = som_level2::examined(bench.options, counters, bench.seed)?;
-    let one = |options: &ForageOptions, config| -> Result<Captures, Failure> {
-        let captures = som_level2::captures(options, config, bench.seed)?;
-        let actions = 2 * (bench.options.actions + bench.options.test_actions);
-        bench.ticker.advance(u64::from(actions));
-        Ok(captures)
-    };
-    let explorer = som_level2::trained(
-        bench.options,
-        counters,
-        AgentConfig::BOOK.greedy_share,
-        bench.seed,
-    )?;
-    let actions = 2 * u64::from(bench.options.actions);
-    bench.ticker.advance(actions);
-    Ok(Harvested {
-        counters: first,
-        findings,
-        exploring: level2_schemas::findings(&explorer)?,
-        cut: one(bench.options, cut)?,
-        large: one(&there, counters)?,
-    })
 }
 
 /// What is known of the second level of one brain.

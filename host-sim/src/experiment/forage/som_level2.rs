@@ -4,20 +4,15 @@
 //! succeeded and level 1 neither explores nor escapes.
 
 use cla_core::clasm::{
-    ActionId, Adaptation, AgentConfig, Learning, Lesson, Reason, SomLevel, SomLevelConfig, Stage,
-    ValueConfig,
+    ActionId, Adaptation, Learning, Lesson, Reason, SomLevel, SomLevelConfig, Stage, ValueConfig,
 };
-use cla_core::forager::pioneer::{self, Brain, Percept};
+use cla_core::forager::pioneer::{Brain, Percept};
 use cla_core::num::Rng;
 
-use super::ForageOptions;
-use super::level2_schemas::{Finding, findings};
-use super::trial::{Captures, fresh};
+use crate::failure::Failure;
+use crate::learner::Learner;
 use crate::learner::forager::percept;
-use crate::learner::{Learner, live};
-use crate::options::Failure;
 use crate::world;
-use crate::world::config::AfterCapture;
 
 /// The level: 7 primitive items and 377 synthetic ones, 24 × 24 nodes for each of 6 actions.
 pub type Level = SomLevel<1, 7, 12, 384, 24, 24, 6, 4096, 16_384>;
@@ -128,128 +123,5 @@ impl Learner for TwoLevels {
         let lesson = self.brain.observe(before, action, after)?;
         self.follow(lesson);
         Ok(())
-    }
-}
-
-/// Stack for what handles a level by value, in bytes; a level takes some 6 MB.
-const STACK: usize = 64 << 20;
-
-/// Runs `job` on a thread whose stack has room for a level or two.
-fn with_room<T: Send>(job: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Failure> {
-    std::thread::scope(|scope| {
-        let thread = std::thread::Builder::new().stack_size(STACK);
-        match thread.spawn_scoped(scope, job)?.join() {
-            Ok(result) => result,
-            Err(panic) => std::panic::resume_unwind(panic),
-        }
-    })
-}
-
-/// A forager with a whole childhood: `options.actions` with level 1 alone, then as many with both,
-/// of which `greedy_share` are chosen by value.
-///
-/// # Errors
-/// [`Failure`] when a world cannot be built or a configuration cannot work.
-pub fn trained(
-    options: &ForageOptions,
-    config: SomLevelConfig,
-    greedy_share: f32,
-    seed: u64,
-) -> Result<TwoLevels, Failure> {
-    with_room(|| childhood(options, config, greedy_share, seed))
-}
-
-fn childhood(
-    options: &ForageOptions,
-    config: SomLevelConfig,
-    greedy_share: f32,
-    seed: u64,
-) -> Result<TwoLevels, Failure> {
-    let mut brain = Box::new(pioneer::brain());
-    let alone = AgentConfig {
-        level2: None,
-        ..options.brain
-    };
-    pioneer::be_born(&mut brain, alone, seed)?;
-    let mut world = options.world.build(seed)?;
-    live(&mut *brain, &mut world, options.actions)?;
-    brain.reconfigure(AgentConfig {
-        greedy_share,
-        training_run: AgentConfig::FORAGER_LEVEL2.training_run,
-        ..alone
-    })?;
-    let mut both = TwoLevels::new(brain, alone.values, config, seed)?;
-    live(&mut both, &mut world, options.actions)?;
-    Ok(both)
-}
-
-/// Captures in a test after such a childhood, both ways of counting.
-///
-/// # Errors
-/// As [`trained`].
-pub fn captures(
-    options: &ForageOptions,
-    config: SomLevelConfig,
-    seed: u64,
-) -> Result<Captures, Failure> {
-    with_room(|| Ok(tested(options, config, seed)?.0))
-}
-
-/// As [`captures`], and what that forager knows of the book's level-2 schemas.
-///
-/// # Errors
-/// As [`trained`].
-pub fn examined(
-    options: &ForageOptions,
-    config: SomLevelConfig,
-    seed: u64,
-) -> Result<(Captures, [Finding; 5]), Failure> {
-    with_room(|| tested(options, config, seed))
-}
-
-fn tested(
-    options: &ForageOptions,
-    config: SomLevelConfig,
-    seed: u64,
-) -> Result<(Captures, [Finding; 5]), Failure> {
-    let greedy_share = AgentConfig::FORAGER_LEVEL2.greedy_share;
-    let both = childhood(options, config, greedy_share, seed)?;
-    let count = |after_capture| -> Result<u32, Failure> {
-        let mut copy = both.clone();
-        copy.act(Adaptation::Reliabilities)?;
-        let mut world = fresh(&options.world, after_capture, seed)?;
-        Ok(live(&mut copy, &mut world, options.test_actions)?.total())
-    };
-    let captures = Captures {
-        replaced: count(AfterCapture::Replaced)?,
-        removed: count(AfterCapture::Removed)?,
-    };
-    Ok((captures, findings(&both)?))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::captures;
-    use crate::experiment::forage::ForageOptions;
-    use crate::options::WorldOptions;
-    use crate::world::config::PioneerConfig;
-    use cla_core::clasm::{AgentConfig, SomLevelConfig};
-
-    #[test]
-    fn a_forager_with_a_level_from_maps_forages_and_the_same_seed_does_so_again() {
-        let options = ForageOptions {
-            seeds: vec![0],
-            world: WorldOptions {
-                config: PioneerConfig::NOISY,
-                layout: None,
-            },
-            brain: AgentConfig::FORAGER,
-            actions: 3_000,
-            test_actions: 1_000,
-        };
-        let first = captures(&options, SomLevelConfig::FORAGER, 0).unwrap();
-        assert!(first.replaced >= 20, "{first:?}");
-        let again = captures(&options, SomLevelConfig::FORAGER, 0).unwrap();
-        assert_eq!(first, again);
     }
 }

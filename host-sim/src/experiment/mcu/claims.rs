@@ -10,12 +10,13 @@ use cla_core::som::Prototypes;
 use firmware_example::replay::{Forager, be_born, relive};
 use firmware_example::trace;
 
-use super::board::{Build, Target, section_bytes};
 use super::hil::{self, Life};
 use super::peers;
+use crate::device::board::{Build, section_bytes};
+use crate::device::meter::Load;
+use crate::device::target::Target;
+use crate::failure::Failure;
 use crate::learner::live;
-use crate::meter::Load;
-use crate::options::Failure;
 use crate::progress::{Progress, Ticker};
 use crate::report::{Bound, Claim, Expectation, Results, Rule, Summary, Table, mean};
 use crate::world::config::PioneerConfig;

@@ -16,10 +16,10 @@ use cla_core::forager::pioneer::ITEMS;
 use firmware_example::link::{self, Answer, FRAME, Numbered, Order, encode};
 use firmware_example::trace::to_bits;
 
-use super::board::Target;
+use crate::device::target::Target;
+use crate::failure::{Failure, Impossible};
 use crate::learner::Learner;
 use crate::learner::forager::percept;
-use crate::options::{Failure, Impossible};
 use crate::world::Percept;
 
 /// How long an answer may stay away before it is asked for again.

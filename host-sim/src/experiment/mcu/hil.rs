@@ -12,12 +12,12 @@ use cla_core::num::Rng;
 use firmware_example::controller::knowledge;
 use firmware_example::link::{Answer, Order};
 
-use super::board::Target;
 use super::distant::Distant;
+use crate::device::meter::Load;
+use crate::device::target::Target;
+use crate::failure::Failure;
 use crate::learner::forager::percept;
 use crate::learner::{Learner, live};
-use crate::meter::Load;
-use crate::options::Failure;
 use crate::world::Percept;
 use crate::world::config::PioneerConfig;
 use crate::world::pioneer::Pioneer;

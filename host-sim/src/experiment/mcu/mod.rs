@@ -3,7 +3,6 @@
 //! `board` builds and runs the firmware in QEMU, `distant` is the wire to a brain in it, `hil` lets
 //! that brain live, `peers` are others that do the same; here it becomes claims.
 
-pub mod board;
 mod claims;
 pub mod distant;
 pub mod hil;

@@ -13,8 +13,8 @@ use cla_core::num::{Neighbourhood, Rng};
 use cla_core::som::{BinarySom, Grid, SparseStimulus, best_match};
 use serde_json::{Value, json};
 
-use super::board::{Printed, folder};
-use crate::options::Failure;
+use crate::device::board::{Printed, folder};
+use crate::failure::Failure;
 
 /// Instructions of CMSIS-DSP's best variant (matrix · vector) for a best match over 400 × 142 and
 /// its version, as `firmware-example/peers/run` measured last: `-Ofast`, GCC 12.2.

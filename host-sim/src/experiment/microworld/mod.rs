@@ -17,7 +17,7 @@ pub mod trial;
 use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
 
-use crate::options::Failure;
+use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::report::{Results, Summary, Table};
 use crate::world::microworld::{Body, Microworld, Oracle, State, VOCABULARY};

@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use super::RecoverOptions;
 use super::life::Course;
+use super::options::RecoverOptions;
 use super::trial::{Entrant, Trial, entrants};
 use crate::report::{
     Bound, Claim, Expectation, Rule, Summary, Table, Verdict, mean, median, sample_sd, welch_t,

@@ -1,8 +1,8 @@
 //! The figures of the recovery experiment: curves over both parts of a life, bars, histograms.
 
-use super::RecoverOptions;
 use super::claims::Lived;
 use super::life::Course;
+use super::options::RecoverOptions;
 use super::trial::{Entrant, Trial, entrants};
 use crate::learner::STRIDE;
 use crate::report::figure::{

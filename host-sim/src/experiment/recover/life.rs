@@ -4,11 +4,12 @@
 
 use cla_core::num::Rng;
 
+use crate::device::meter::Load;
+use crate::failure::Failure;
 use crate::learner::{Learner, STRIDE, Watch, live, watched};
-use crate::meter::Load;
-use crate::options::{Failure, WorldOptions};
 use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::Pioneer;
+use crate::world::setting::WorldOptions;
 
 /// How long each part of a life is, in actions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,12 +9,12 @@ use std::collections::BTreeMap;
 use cla_core::clasm::{Adaptation, AgentConfig};
 use serde_json::{Value, json};
 
-use super::RecoverOptions;
 use super::life::{Protocol, watched_course};
+use super::options::RecoverOptions;
 use super::trial::grown;
+use crate::device::meter::Load;
+use crate::failure::Failure;
 use crate::learner::Learner;
-use crate::meter::Load;
-use crate::options::Failure;
 use crate::world::World;
 use crate::world::body::SPECIMEN_RADIUS;
 use crate::world::camera::{FIELD_OF_VIEW, SECTORS};
@@ -225,9 +225,9 @@ mod tests {
     use super::super::RecoverOptions;
     use super::super::life::Protocol;
     use super::page;
-    use crate::options::WorldOptions;
     use crate::world::config::PioneerConfig;
     use crate::world::damage::Damage;
+    use crate::world::setting::WorldOptions;
 
     #[test]
     fn the_page_is_one_file_that_asks_the_network_for_nothing() {

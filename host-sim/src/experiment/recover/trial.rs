@@ -4,21 +4,22 @@
 
 use cla_core::clasm::{Adaptation, AgentConfig, Cost, Fallback, Level2Config};
 
-use super::RecoverOptions;
 use super::life::{Course, Protocol, course, raise, second};
+use super::options::RecoverOptions;
 use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
 use crate::baseline::tabular::{Tabular, TabularConfig};
 use crate::baseline::told::Told;
+use crate::device::meter::Load;
+use crate::failure::Failure;
 use crate::learner::controller::Untaught;
 use crate::learner::forager::Forager;
 use crate::learner::{Learner, Thought, live};
-use crate::meter::Load;
-use crate::options::{Failure, WorldOptions};
 use crate::progress::Ticker;
 use crate::world::Percept;
 use crate::world::config::{AfterCapture, PioneerConfig};
 use crate::world::damage::{Damage, Damaged};
+use crate::world::setting::WorldOptions;
 
 /// Who takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

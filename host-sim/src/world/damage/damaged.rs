@@ -4,7 +4,7 @@
 use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
 
-use super::Damage;
+use super::kinds::Damage;
 use crate::world::fault::{Beam, Fault, Unbreakable};
 use crate::world::{Percept, World};
 

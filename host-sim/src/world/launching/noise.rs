@@ -8,7 +8,7 @@ use std::fmt;
 
 use cla_core::num::Rng;
 
-use super::{CELLS, Frame};
+use super::event::{CELLS, Frame};
 
 /// A disturbance that no training event has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 
 use cla_core::clasm::{ActionId, ItemId, ItemSet, Vocabulary};
 
-use super::{Body, Cell, Hand, State};
+use super::state::{Body, Cell, Hand, REACH, State};
 
 /// The ten primitive actions of Table 5.1.
 pub const ACTIONS: &[&str] = &[
@@ -55,6 +55,12 @@ const FOV: u16 = 61;
 const BODY_CELL: (i8, i8) = (1, -1);
 /// Front, back, right, left, in the order of Table 5.2.
 const SIDES: [(i8, i8); 4] = [(0, 1), (0, -1), (1, 0), (-1, 0)];
+
+/// The index of a primitive action of that name.
+#[must_use]
+pub fn action(name: &str) -> Option<usize> {
+    ACTIONS.iter().position(|&other| other == name)
+}
 
 /// The item of that name; `None` when there is none.
 #[must_use]
@@ -156,7 +162,7 @@ pub(super) fn perceive(state: &State, body: Body) -> Items {
 }
 
 fn proprioception(state: &State, on: &mut Items) {
-    let index = |cell: Cell| u16::from(cell.x * super::REACH + cell.y);
+    let index = |cell: Cell| u16::from(cell.x * REACH + cell.y);
     insert(on, HP + index(state.hand_at));
     insert(on, VP + index(state.eye_at));
     if state.hand != Hand::Open {

@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 
 use cla_core::clasm::{ActionId, ItemId, SchemaText, SignedItems};
 
-use super::items::{self, Family, ITEMS, Items, WORDS};
-use super::{ACTIONS, Body, Cell, Hand, State};
+use super::items::{self, ACTIONS, Family, ITEMS, Items, WORDS};
+use super::state::{Body, Cell, Hand, State};
 
 /// A set of the oracle's states.
 ///

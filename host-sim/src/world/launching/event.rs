@@ -3,16 +3,12 @@
 //! An event is a list of [`Frame`]s, and a frame is what the two sensors of the book's Fig 4.3
 //! report: positions, and three consecutive speed matrices.
 //! What the book leaves open (speeds, the sizes of gap and delay, jitter, how events are noisy) is
-//! a field of [`LaunchingConfig`] or a [`Noise`].
+//! a field of [`LaunchingConfig`] or a [`Noise`](super::Noise).
 //! Nothing learns here.
 
 use std::fmt;
 
 use cla_core::num::Rng;
-
-mod noise;
-
-pub use noise::Noise;
 
 /// Elements of the Position input (book, 4.2).
 pub const CELLS: usize = 20;

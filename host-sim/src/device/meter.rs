@@ -13,8 +13,9 @@ use firmware_example::meter::{self, Part};
 use firmware_example::trace;
 use serde::{Deserialize, Serialize};
 
-use crate::experiment::mcu::board::{Build, Target};
-use crate::options::Failure;
+use super::board::Build;
+use super::target::Target;
+use crate::failure::Failure;
 
 /// Numbers of a step that are weighed: a constant, and the counts.
 const TERMS: usize = 9;
@@ -44,7 +45,7 @@ pub struct Weights {
 
 /// The weights of [`Target::ALL`], in their order.
 static WEIGHTS: LazyLock<[Weights; Target::ALL.len()]> = LazyLock::new(|| {
-    let text = include_str!("../data/meter.json");
+    let text = include_str!("../../data/meter.json");
     serde_json::from_str(text).expect("the committed weights are whole: a test reads them")
 });
 

@@ -1,29 +1,16 @@
-//! Causal perception: a hierarchy learns what a launching is, in stages, and falls back (book, 4).
+//! One seed of the causal experiment: a network in training and at its tests, and its controls.
 //!
-//! [`run`] trains and tests one network a seed, with its controls, and returns a [`Study`]; the
-//! study gives the summary (claims and tables) and the figures.
-//! One parameter set, [`CausalConfig::standard`](network::CausalConfig::standard), serves all claims.
-//! Nothing here prints or writes files.
-
-mod claims;
-mod figures;
-pub mod measure;
-pub mod network;
-pub mod overload;
-mod tables;
+//! Measures only; what the numbers mean is said in `claims`.
 
 use cla_core::num::Rng;
 
-use crate::progress::Progress;
-use crate::report::figure::FigureError;
-use crate::report::{Results, Summary};
+use super::measure::{Causality, Stage, settled, train_with_stages};
+use super::network::{Causal, CausalConfig, PerLayer, Training, View};
+use super::overload::Overload;
 use crate::world::launching::{Event, Noise};
-use measure::{Causality, Stage, settled, train_with_stages};
-use network::{Causal, CausalConfig, PerLayer, Training, View};
-use overload::Overload;
 
 /// Networks trained for a seed: the one the claims are about, and three controls.
-const NETWORKS: u64 = 4;
+pub const NETWORKS: u64 = 4;
 
 /// Training with equal shares of the four events.
 const EQUAL: [f32; 4] = [0.25; 4];
@@ -56,23 +43,12 @@ pub struct SeedResult {
     pub staged: Causality,
 }
 
-/// The results of all seeds.
-#[derive(Clone, Debug)]
-pub struct Study {
-    config: CausalConfig,
-    results: Vec<SeedResult>,
-}
+/// Which network of a seed a control is about.
+pub(super) type Control = fn(&SeedResult) -> &Causality;
 
-/// Runs the experiment for each seed, on all cores.
-#[must_use]
-pub fn run(seeds: &[u64], config: &CausalConfig, progress: &Progress) -> Study {
-    let results = progress.over("causal perception", seeds, NETWORKS, |&seed, ticker| {
-        run_seed(seed, config, || ticker.advance(1))
-    });
-    Study {
-        config: *config,
-        results,
-    }
+/// A number of each seed.
+pub(super) fn of<T>(results: &[SeedResult], measure: impl Fn(&SeedResult) -> T) -> Vec<T> {
+    results.iter().map(measure).collect()
 }
 
 /// Runs the experiment for one seed; `done` is called after each of its networks.
@@ -114,31 +90,5 @@ pub fn run_seed(seed: u64, config: &CausalConfig, done: impl Fn()) -> SeedResult
             training: Training::Staged,
             ..*config
         }),
-    }
-}
-
-impl Study {
-    /// What was measured with each seed.
-    #[must_use]
-    pub fn results(&self) -> &[SeedResult] {
-        &self.results
-    }
-
-    /// Claims, tables and parameters.
-    #[must_use]
-    pub fn summary(&self) -> Summary {
-        claims::summary(&self.config, &self.results)
-    }
-
-    /// The summary and the figures; those of single networks show the first seed.
-    ///
-    /// # Errors
-    /// [`FigureError`] when a figure cannot be drawn.
-    pub fn report(&self) -> Result<Results, FigureError> {
-        let mut results = Results::new(self.summary());
-        for (name, picture) in figures::all(&self.results)? {
-            results = results.picture(name, picture);
-        }
-        Ok(results)
     }
 }

@@ -1,11 +1,10 @@
 //! What a brain may cost on a microcontroller, and whether it kept to that in a run.
 //!
 //! RAM is known before anything runs; the instructions of a control step are estimated while it does
-//! (see [`meter`](crate::meter)).
+//! (see [`meter`](super::meter)).
 
-use crate::cli::BudgetArgs;
-use crate::experiment::mcu::board::Target;
-use crate::options::Impossible;
+use super::target::Target;
+use crate::failure::Impossible;
 use crate::report::Results;
 
 /// The limits of a run.
@@ -20,16 +19,15 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Reads `instructions=N` and `ram=N`, each at most once.
+    /// Reads limits, `instructions=N` and `ram=N`, each at most once, and the name of a processor.
     ///
     /// # Errors
     /// [`Impossible`] for anything else, and for an unknown processor.
-    pub fn new(args: &BudgetArgs) -> Result<Self, Impossible> {
-        let named = |target: &Target| target.name().eq_ignore_ascii_case(&args.processor);
+    pub fn new(limits: &[String], processor: &str) -> Result<Self, Impossible> {
+        let named = |target: &Target| target.name().eq_ignore_ascii_case(processor);
         let target = Target::ALL.into_iter().find(named).ok_or_else(|| {
             Impossible::new(format!(
-                "--processor is cortex-m4f, cortex-m0+ or rv32imac, not {:?}",
-                args.processor
+                "--processor is cortex-m4f, cortex-m0+ or rv32imac, not {processor:?}"
             ))
         })?;
         let mut budget = Self {
@@ -37,7 +35,7 @@ impl Budget {
             instructions: None,
             ram: None,
         };
-        for limit in &args.budget {
+        for limit in limits {
             let unknown = || {
                 Impossible::new(format!(
                     "--budget takes instructions=N and ram=N, with N such as 60000, 60k or 256KiB, not {limit:?}"
@@ -133,15 +131,11 @@ fn kibibytes(bytes: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::Budget;
-    use crate::cli::BudgetArgs;
     use crate::report::{Results, Summary};
 
     fn read(budget: &[&str], processor: &str) -> Result<Budget, String> {
-        let args = BudgetArgs {
-            budget: budget.iter().map(|&it| it.to_owned()).collect(),
-            processor: processor.to_owned(),
-        };
-        Budget::new(&args).map_err(|error| error.to_string())
+        let limits: Vec<String> = budget.iter().map(|&it| it.to_owned()).collect();
+        Budget::new(&limits, processor).map_err(|error| error.to_string())
     }
 
     fn results(worst: u64) -> Results {

@@ -1,0 +1,10 @@
+//! What a brain costs on a microcontroller: counted on emulated boards, estimated on the host, held
+//! against a budget.
+//!
+//! `target` names the processors, `board` builds and runs firmware for them, `meter` weighs what a
+//! step has touched, `budget` is what a user allows.
+
+pub mod board;
+pub mod budget;
+pub mod meter;
+pub mod target;

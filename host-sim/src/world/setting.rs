@@ -1,0 +1,64 @@
+//! The setting of a life: the Pioneer's world as it can be built for any seed.
+
+use std::fs;
+use std::path::Path;
+
+use super::config::PioneerConfig;
+use super::layout::Layout;
+use super::pioneer::Pioneer;
+use crate::failure::Impossible;
+
+/// A world that can be built for any seed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldOptions {
+    /// Its parameters.
+    pub config: PioneerConfig,
+    /// The places of the specimens, when a file gives them.
+    pub layout: Option<Layout>,
+}
+
+impl WorldOptions {
+    /// Checks the parameters, and builds the world once to see that it can be.
+    ///
+    /// # Errors
+    /// [`Impossible`] for the first thing that cannot be.
+    pub fn new(config: PioneerConfig, layout: Option<Layout>) -> Result<Self, Impossible> {
+        config.validate().map_err(Impossible::new)?;
+        let options = Self { config, layout };
+        options.build(0)?;
+        Ok(options)
+    }
+
+    /// The same places with other parameters, which are checked when it is built.
+    #[must_use]
+    pub fn with(&self, config: PioneerConfig) -> Self {
+        Self {
+            config,
+            layout: self.layout.clone(),
+        }
+    }
+
+    /// The world of a seed.
+    ///
+    /// # Errors
+    /// [`Impossible`] when the specimens do not fit the room.
+    pub fn build(&self, seed: u64) -> Result<Pioneer, Impossible> {
+        match &self.layout {
+            Some(layout) => Pioneer::with_layout(self.config, layout, seed),
+            None => Pioneer::new(self.config, seed),
+        }
+        .map_err(Impossible::new)
+    }
+}
+
+/// Reads the places of the specimens in a room of so many metres from a file.
+///
+/// # Errors
+/// [`Impossible`] when the file cannot be read or its places do not fit the room.
+pub fn read_layout(path: &Path, radius: f64) -> Result<Layout, Impossible> {
+    let name = path.display();
+    let text = fs::read_to_string(path)
+        .map_err(|error| Impossible::new(format!("cannot read the layout {name}: {error}")))?;
+    Layout::parse(&text, radius)
+        .map_err(|error| Impossible::new(format!("the layout {name} is wrong: {error}")))
+}
