@@ -84,6 +84,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     live(&mut recorder, &mut world, ACTIONS - acting).map_err(|error| error.to_string())?;
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-example");
     let path = Output::prepare(folder)?.write("trace.bin", &recorder.trace)?;
-    println!("{} captures, wrote {}", world.captures(), path.display());
+    println!("{} captures, wrote {}", world.obtained(), path.display());
     Ok(())
 }

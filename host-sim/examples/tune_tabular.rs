@@ -107,7 +107,7 @@ fn life(config: TabularConfig, seed: u64) -> Result<[u32; 3], Failure> {
     let mut world = Pioneer::new(PioneerConfig::NOISY, seed + 1_000_000)?;
     let before = live(&mut learner, &mut world, 3000)?.total();
     let mut world = Damaged::new(world, Damage::Camera(12.0), seed)?;
-    let after = live(&mut learner, &mut world, 13_000)?.captures;
+    let after = live(&mut learner, &mut world, 13_000)?.obtained;
     let sum = |part: &[u32]| part.iter().sum();
     Ok([before, sum(&after[..120]), sum(&after[400..])])
 }

@@ -308,14 +308,14 @@ impl Learner for Tabular {
 mod tests {
     use super::{History, Method, Tabular, TabularConfig, Traces};
     use crate::learner::{Learner, live};
-    use crate::world::pioneer::{ACTIONS, BACKWARD, FORWARD, INGRIP, ITEMS};
+    use crate::world::pioneer::{ACTIONS, BACKWARD, FORWARD, GRIP, INGRIP, ITEMS};
     use crate::world::{Percept, World};
     use cla_core::clasm::ItemId;
 
     /// Five places in a row; forward from the last but one brings the reward, backward leads back.
     struct Corridor {
         place: u16,
-        captures: u32,
+        obtained: u32,
         /// Whether the two places before the reward look alike.
         alike: bool,
         ends: u32,
@@ -351,28 +351,28 @@ mod tests {
             }
         }
 
-        fn reflex(&mut self) -> bool {
+        fn reflex(&mut self) -> Option<usize> {
             let there = self.place == 4;
-            if there {
-                self.captures += 1;
+            there.then(|| {
+                self.obtained += 1;
                 self.place = 0;
-            }
-            there
+                GRIP
+            })
         }
 
-        fn captures(&self) -> u32 {
-            self.captures
+        fn obtained(&self) -> u32 {
+            self.obtained
         }
 
         fn finished(&self) -> bool {
-            self.captures >= self.ends
+            self.obtained >= self.ends
         }
     }
 
     const fn corridor(alike: bool) -> Corridor {
         Corridor {
             place: 0,
-            captures: 0,
+            obtained: 0,
             alike,
             ends: u32::MAX,
         }
@@ -446,7 +446,7 @@ mod tests {
         world.ends = 3;
         let lived = live(&mut learner, &mut world, 100_000).unwrap();
         assert_eq!(lived.total(), 3);
-        assert!(lived.captures.len() < 4000 && learner.states() == 4);
+        assert!(lived.obtained.len() < 4000 && learner.states() == 4);
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub trait Controller {
 ///
 /// `sense` is what it sees: `World::sense`, as a learner, or `Pioneer::sense_all_sectors`, as the
 /// controllers of the Stage runs.
-/// Returns the captures of this time.
+/// Returns what it has obtained in this time.
 pub fn live<W: World + ?Sized>(
     world: &mut W,
     sense: impl Fn(&W) -> Percept,
@@ -28,16 +28,16 @@ pub fn live<W: World + ?Sized>(
     rng: &mut Rng,
     actions: u32,
 ) -> u32 {
-    let before = world.captures();
-    while world.reflex() {}
+    let before = world.obtained();
+    while world.reflex().is_some() {}
     for _ in 0..actions {
         if world.finished() {
             break;
         }
         world.act(controller.choose(&sense(world), rng));
-        while world.reflex() {}
+        while world.reflex().is_some() {}
     }
-    world.captures() - before
+    world.obtained() - before
 }
 
 /// Any controller with its own source of chance.

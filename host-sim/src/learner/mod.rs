@@ -10,9 +10,8 @@ pub mod forager;
 use crate::device::meter::Load;
 use crate::failure::Failure;
 use crate::world::damage::Damage;
-use crate::world::pioneer::{GRIP, INGRIP, TURN_AROUND};
 use crate::world::{Percept, World};
-use cla_core::clasm::{Cost, ItemId};
+use cla_core::clasm::Cost;
 
 /// Something that chooses actions and learns from what they lead to.
 pub trait Learner {
@@ -28,7 +27,7 @@ pub trait Learner {
     /// Whatever keeps it from learning.
     fn learn(&mut self, now: &Percept) -> Result<(), Failure>;
 
-    /// A reflex, which ends as the action with this index would, has led from `before` to `after`.
+    /// A reflex, which ended as the action with this index, has led from `before` to `after`.
     ///
     /// # Errors
     /// Whatever keeps it from learning.
@@ -87,23 +86,23 @@ pub struct Thought {
 /// What can be watched after every action.
 pub type Watch<'a, W> = &'a mut dyn FnMut(&dyn Learner, &W);
 
-/// Actions between two looks at the count of captures.
+/// Actions between two looks at what has been obtained.
 pub const STRIDE: u32 = 25;
 
 /// What came of a life.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lived {
-    /// Captures of each [`STRIDE`] of actions.
-    pub captures: Vec<u32>,
+    /// What was obtained in each [`STRIDE`] of actions.
+    pub obtained: Vec<u32>,
     /// What its worst step would have cost.
     pub load: Load,
 }
 
 impl Lived {
-    /// All captures.
+    /// All that was obtained.
     #[must_use]
     pub fn total(&self) -> u32 {
-        self.captures.iter().sum()
+        self.obtained.iter().sum()
     }
 }
 
@@ -133,13 +132,13 @@ pub fn watched<W: World>(
     watch: Watch<'_, W>,
 ) -> Result<Lived, Failure> {
     let mut lived = Lived::default();
-    let mut before = world.captures();
+    let mut before = world.obtained();
     for done in 0..actions {
         if world.finished() {
             break;
         }
         if done % STRIDE == 0 {
-            lived.captures.push(0);
+            lived.obtained.push(0);
         }
         let action = learner.choose(&world.sense())?;
         watch(learner, world);
@@ -149,10 +148,10 @@ pub fn watched<W: World>(
             lived.load.note(&cost);
         }
         feel_reflexes(learner, world)?;
-        if let Some(stride) = lived.captures.last_mut() {
-            *stride += world.captures() - before;
+        if let Some(stride) = lived.obtained.last_mut() {
+            *stride += world.obtained() - before;
         }
-        before = world.captures();
+        before = world.obtained();
     }
     Ok(lived)
 }
@@ -160,11 +159,9 @@ pub fn watched<W: World>(
 fn feel_reflexes<W: World>(learner: &mut dyn Learner, world: &mut W) -> Result<(), Failure> {
     loop {
         let before = world.sense();
-        if !world.reflex() {
+        let Some(action) = world.reflex() else {
             return Ok(());
-        }
-        let gripped = before.get(ItemId(INGRIP)) == Some(true);
-        let action = if gripped { GRIP } else { TURN_AROUND };
+        };
         learner.observe(&before, action, &world.sense())?;
     }
 }
@@ -175,9 +172,84 @@ mod tests {
 
     use super::forager::Forager;
     use super::{Learner, STRIDE, live};
-    use crate::world::World;
+    use crate::failure::Failure;
     use crate::world::config::{AfterCapture, PioneerConfig};
     use crate::world::pioneer::Pioneer;
+    use crate::world::{Percept, World};
+
+    /// A robot that springs back when it has gone ahead twice: its reflexes end as its action 1.
+    #[derive(Default)]
+    struct Spring {
+        ahead: u32,
+        sprung: u32,
+    }
+
+    impl World for Spring {
+        fn items(&self) -> &'static [&'static str] {
+            &["tense"]
+        }
+
+        fn actions(&self) -> &'static [&'static str] {
+            &["ahead", "back"]
+        }
+
+        fn sense(&self) -> Percept {
+            let mut percept = Percept::all_off(1);
+            percept
+                .set(cla_core::clasm::ItemId(0), Some(self.ahead == 2))
+                .unwrap();
+            percept
+        }
+
+        fn act(&mut self, action: usize) {
+            self.ahead = if action == 0 { self.ahead + 1 } else { 0 };
+        }
+
+        fn reflex(&mut self) -> Option<usize> {
+            (self.ahead == 2).then(|| {
+                self.ahead = 0;
+                self.sprung += 1;
+                1
+            })
+        }
+
+        fn obtained(&self) -> u32 {
+            self.sprung
+        }
+
+        fn finished(&self) -> bool {
+            false
+        }
+    }
+
+    /// Goes ahead, and writes down what it is shown.
+    #[derive(Default)]
+    struct Witness(Vec<(Option<bool>, usize, Option<bool>)>);
+
+    impl Learner for Witness {
+        fn choose(&mut self, _: &Percept) -> Result<usize, Failure> {
+            Ok(0)
+        }
+
+        fn learn(&mut self, _: &Percept) -> Result<(), Failure> {
+            Ok(())
+        }
+
+        fn observe(&mut self, before: &Percept, by: usize, now: &Percept) -> Result<(), Failure> {
+            let tense = |percept: &Percept| percept.get(cla_core::clasm::ItemId(0));
+            self.0.push((tense(before), by, tense(now)));
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_reflex_of_any_robot_is_shown_as_the_action_that_its_world_says() {
+        let mut witness = Witness::default();
+        let lived = live(&mut witness, &mut Spring::default(), 50).unwrap();
+        assert_eq!(witness.0, [(Some(true), 1, Some(false)); 25]);
+        // Each second action brought something.
+        assert_eq!(lived.obtained, [12, 13]);
+    }
 
     #[test]
     fn a_world_that_ends_early_ends_the_life_and_the_brain_goes_on_in_the_next() {
@@ -192,7 +264,7 @@ mod tests {
         let lived = live(&mut forager, &mut world, 100_000).unwrap();
         assert!(world.finished());
         assert_eq!(lived.total(), 1);
-        let actions = lived.captures.len() as u32 * STRIDE;
+        let actions = lived.obtained.len() as u32 * STRIDE;
         assert!(actions < 100_000);
         // No action was left without its result: all that was done has been learned.
         let samples = |forager: &Forager| -> u32 {

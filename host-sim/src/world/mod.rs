@@ -39,13 +39,14 @@ pub trait World {
     /// Does one primitive action, given by its index in [`actions`](Self::actions), to its end.
     fn act(&mut self, action: usize);
 
-    /// If a built-in reflex fires on the present percept, runs it; whether one did.
+    /// If a built-in reflex fires on the present percept, runs it; the index of the action that it
+    /// ended as, `None` when none fired.
     ///
-    /// Reflexes do not count as actions.
-    fn reflex(&mut self) -> bool;
+    /// Who lives here is shown a reflex as if it had done that action, but it is not counted as one.
+    fn reflex(&mut self) -> Option<usize>;
 
-    /// Specimens (or other rewards) obtained so far.
-    fn captures(&self) -> u32;
+    /// What has been obtained so far, in pieces: specimens, or whatever this world rewards.
+    fn obtained(&self) -> u32;
 
     /// Whether nothing is left to do: the world has ended.
     fn finished(&self) -> bool;

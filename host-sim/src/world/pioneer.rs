@@ -101,7 +101,7 @@ impl From<LayoutError> for PioneerError {
 /// use host_sim::world::pioneer::{FORWARD, Pioneer};
 /// let mut world = Pioneer::new(PioneerConfig::NOISY, 100)?;
 /// world.act(FORWARD);
-/// while world.reflex() {}
+/// while world.reflex().is_some() {}
 /// assert_eq!(world.items().len(), 7);
 /// # Ok::<(), host_sim::world::pioneer::PioneerError>(())
 /// ```
@@ -446,32 +446,35 @@ impl World for Pioneer {
         self.look();
     }
 
-    /// `ingrip` → grip; else `bump` → back 0.10 m and turn 180°.
+    /// `ingrip` → grip; else `bump` → back 0.10 m and turn 180°, which ends as a turn around.
     ///
     /// After a reflex `bump` is off, even where the robot is so cornered that it could not move.
-    fn reflex(&mut self) -> bool {
+    /// A robot whose beam is blocked takes every reflex for a grip, because `ingrip` stays on.
+    fn reflex(&mut self) -> Option<usize> {
         let blocked = self.faults.beam == Beam::Blocked;
-        if self.beam_broken() && !(blocked && self.gripped) {
+        let ingrip = self.beam_broken();
+        let ends_as = Some(if ingrip { GRIP } else { TURN_AROUND });
+        if ingrip && !(blocked && self.gripped) {
             self.gripped = true;
             self.grip();
             if blocked && self.bumped {
                 // The bump's reflex is still to come.
-                return true;
+                return ends_as;
             }
         } else if self.bumped {
             self.bump_reflexes += 1;
             self.drive(-REFLEX_BACK);
             self.turn(180.0);
         } else {
-            return false;
+            return None;
         }
         self.bumped = false;
         self.wait(SETTLING_TICKS);
         self.look();
-        true
+        ends_as
     }
 
-    fn captures(&self) -> u32 {
+    fn obtained(&self) -> u32 {
         self.captures
     }
 

@@ -30,9 +30,10 @@ fn forward_stops_when_the_beam_breaks() {
     assert!(on(&world, INGRIP));
     let x = world.robot().position.x;
     assert!((0.13..=0.17).contains(&x), "{x} m");
-    assert!(world.reflex());
-    assert_eq!(world.captures(), 1);
-    assert!(!on(&world, INGRIP) && !world.reflex() && !world.finished());
+    assert_eq!(world.reflex(), Some(GRIP));
+    assert_eq!(world.obtained(), 1);
+    assert!(!on(&world, INGRIP) && !world.finished());
+    assert_eq!(world.reflex(), None);
 }
 
 #[test]
@@ -42,8 +43,8 @@ fn the_last_specimen_ends_a_run_with_removal_only() {
     let mut replaced = world(PioneerConfig::NOISE_FREE, robot, &[(0.3, 0.0)]);
     removed.act(GRIP);
     replaced.act(GRIP);
-    assert!(removed.captures() == 1 && removed.finished());
-    assert!(replaced.captures() == 1 && !replaced.finished());
+    assert!(removed.obtained() == 1 && removed.finished());
+    assert!(replaced.obtained() == 1 && !replaced.finished());
     let back = replaced.specimens()[0].unwrap();
     assert!(back.distance(robot.position) >= 0.69);
 }
@@ -72,11 +73,12 @@ fn walls_stop_the_robot_and_set_bump_and_the_reflex_turns_it_round() {
     assert!(on(&world, super::BUMP));
     let x = world.robot().position.x;
     assert!((4.77..4.82).contains(&x), "{x} m");
-    assert!(world.reflex());
+    assert_eq!(world.reflex(), Some(super::TURN_AROUND));
     assert!((world.robot().position.x - (x - 0.10)).abs() < 1e-9);
     // 10 cm are not enough for the rear corners to pass: the wall ends the turn early.
     assert!(world.robot().heading().to_degrees().abs() > 110.0);
-    assert!(!on(&world, super::BUMP) && !world.reflex());
+    assert!(!on(&world, super::BUMP));
+    assert_eq!(world.reflex(), None);
 }
 
 #[test]
@@ -93,7 +95,7 @@ fn a_body_that_passes_kicks_a_specimen_and_one_that_turns_does_not() {
         world.act(GRIP);
     }
     let at = world.specimens()[0].unwrap();
-    assert!(at.x > 0.8 && world.captures() == 0, "{at:?}");
+    assert!(at.x > 0.8 && world.obtained() == 0, "{at:?}");
 }
 
 #[test]
@@ -119,7 +121,7 @@ fn the_same_seed_and_actions_give_the_same_percepts() {
         for _ in 0..3000 {
             world.act(rng.below(6) as usize);
             percepts.push(world.sense());
-            while world.reflex() {}
+            while world.reflex().is_some() {}
             percepts.push(world.sense());
         }
         percepts
@@ -149,7 +151,7 @@ fn nothing_ever_leaves_the_room_or_passes_a_wall() {
             // Mostly forward, to meet walls and specimens.
             let action = rng.below(9) as usize;
             world.act(if action < 6 { action } else { FORWARD });
-            while world.reflex() {}
+            while world.reflex().is_some() {}
             for corner in world.body() {
                 assert!(corner.distance(centre) <= config.radius + 0.005);
             }
@@ -241,7 +243,7 @@ fn the_reference_world_runs_far_faster_than_ten_thousand_actions_a_second() {
     let begun = std::time::Instant::now();
     for _ in 0..20_000 {
         world.act(rng.below(6) as usize);
-        while world.reflex() {}
+        while world.reflex().is_some() {}
     }
     let rate = 20_000.0 / begun.elapsed().as_secs_f64();
     println!("{rate:.0} actions/s");
@@ -258,7 +260,7 @@ fn a_run_has_the_same_bits_in_every_build() {
         // Mostly forward, to meet walls and specimens.
         let action = rng.below(9) as usize;
         world.act(if action < 6 { action } else { FORWARD });
-        while world.reflex() {}
+        while world.reflex().is_some() {}
         mix(u64::from(world.sense().on().words()[0]));
     }
     mix(world.robot().position.x.to_bits());

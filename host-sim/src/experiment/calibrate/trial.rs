@@ -132,12 +132,12 @@ pub fn run(world: &mut Pioneer, controller: &mut dyn Controller, rng: &mut Rng) 
         let chosen = controller.choose(&before.all, rng);
         world.act(chosen);
         let gripped = world.beam_broken();
-        while world.reflex() {}
+        while world.reflex().is_some() {}
         if chosen == FORWARD {
             count_forward(&mut counted, &before, &Sight::of(world), gripped);
         }
-        if world.captures() > counted.captured {
-            counted.captured = world.captures();
+        if world.obtained() > counted.captured {
+            counted.captured = world.obtained();
             counted.actions_last = action;
         }
     }

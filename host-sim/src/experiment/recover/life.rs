@@ -163,8 +163,8 @@ pub fn watched_course(
     let mut load = before.load;
     load.merge(&after.load);
     Ok(Course {
-        before: before.captures,
-        after: after.captures,
+        before: before.obtained,
+        after: after.obtained,
         reliabilities: [then, learner.reliabilities()],
         predictions: [
             came_true(start, middle),

@@ -96,7 +96,7 @@ impl Film {
         self.actions.push(thought.action);
         self.values
             .push(f64::from(libm::roundf(thought.value * 100.0)) / 100.0);
-        self.captures.push(world.captures());
+        self.captures.push(world.obtained());
         let next = self.words.len();
         let index = *self.words.entry(thought.schema.clone()).or_insert(next);
         if index == self.spoken.len() {

@@ -154,12 +154,12 @@ impl<W: World> World for Damaged<W> {
         }
     }
 
-    fn reflex(&mut self) -> bool {
+    fn reflex(&mut self) -> Option<usize> {
         self.world.reflex()
     }
 
-    fn captures(&self) -> u32 {
-        self.world.captures()
+    fn obtained(&self) -> u32 {
+        self.world.obtained()
     }
 
     fn finished(&self) -> bool {
@@ -178,7 +178,7 @@ mod tests {
     use crate::world::layout::Layout;
     use crate::world::microworld::{Body, Microworld};
     use crate::world::pioneer::{
-        ACTIONS, BACKWARD, FORWARD, INGRIP, ITEMS, Pioneer, TURN_LEFT, TURN_RIGHT,
+        ACTIONS, BACKWARD, FORWARD, GRIP, INGRIP, ITEMS, Pioneer, TURN_LEFT, TURN_RIGHT,
     };
     use cla_core::clasm::ItemId;
 
@@ -270,17 +270,26 @@ mod tests {
     }
 
     #[test]
+    fn a_robot_that_does_not_feel_what_it_grips_is_still_told_that_it_gripped() {
+        let mut world = damaged("0.5 0", "dead:ingrip");
+        world.act(FORWARD);
+        assert_eq!(world.sense().get(ItemId(INGRIP)), Some(false));
+        assert_eq!(world.reflex(), Some(GRIP));
+        assert_eq!(world.obtained(), 1);
+    }
+
+    #[test]
     fn a_blocked_beam_reports_something_for_ever_and_its_reflex_ends() {
         let mut world = damaged(AHEAD, "beam");
         for _ in 0..20 {
             world.act(FORWARD);
             assert_eq!(world.sense().get(ItemId(INGRIP)), Some(true));
-            let reflexes = (0..100).take_while(|_| world.reflex()).count();
+            let reflexes = (0..100).take_while(|_| world.reflex().is_some()).count();
             assert!((1..=3).contains(&reflexes), "{reflexes}");
         }
         // What stops at a broken beam hardly moves.
         assert!(world.world().robot().position.x < 0.5);
-        assert_eq!(world.captures(), 0);
+        assert_eq!(world.obtained(), 0);
     }
 
     #[test]

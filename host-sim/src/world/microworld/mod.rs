@@ -92,11 +92,11 @@ impl World for Microworld {
         self.state = self.state.after(action);
     }
 
-    fn reflex(&mut self) -> bool {
-        false
+    fn reflex(&mut self) -> Option<usize> {
+        None
     }
 
-    fn captures(&self) -> u32 {
+    fn obtained(&self) -> u32 {
         0
     }
 
