@@ -1,30 +1,31 @@
-//! Figures: drawn once as SVG, and rasterized from that SVG to PNG.
+//! Figures: drawn once, as SVG and as PNG.
 //!
-//! Both come out of the same drawing, and the font is compiled in: a machine without fonts makes
-//! the same picture to the last pixel.
+//! Every stroke goes into both ([`page::Page`]), and the font is compiled in: a machine without
+//! fonts makes the same picture to the last pixel.
 //! Colours are Okabe and Ito's, which colour-blind readers tell apart.
 
 mod bars;
 mod boards;
 mod heat;
+mod letters;
 mod lines;
+mod outline;
+mod page;
 mod palette;
+mod png;
+mod raster;
 
-use std::sync::{Arc, Once};
+use std::sync::Once;
 use std::{error, fmt};
 
 use plotters::coord::Shift;
-use plotters::prelude::{DrawingArea, IntoDrawingArea, SVGBackend};
+use plotters::prelude::{DrawingArea, IntoDrawingArea};
 use plotters::style::{FontStyle, WHITE, register_font};
-use resvg::{tiny_skia, usvg};
 
 pub use bars::{Bar, bar_chart, histogram};
 pub use boards::{Board, board_pairs};
 pub use heat::{HeatMap, heat_maps};
 pub use lines::{Line, Mark, Point, Span, line_chart, roc};
-
-/// PNG pixels to one unit of the SVG.
-const PIXELS: f32 = 2.0;
 
 /// Sizes of letters, in units of the SVG.
 const TITLE: i32 = 20;
@@ -111,7 +112,7 @@ impl Axes {
     }
 }
 
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Canvas<'a> = DrawingArea<page::Page<'a>, Shift>;
 type Drawing = Result<(), Box<dyn error::Error>>;
 
 /// Runs a drawing on an empty page and makes both formats of it.
@@ -120,52 +121,26 @@ fn picture(
     draw: impl FnOnce(&Canvas<'_>) -> Drawing,
 ) -> Result<Picture, FigureError> {
     register_the_font();
-    let mut svg = String::new();
+    let (mut svg, mut pixels) = (String::new(), page::pixels_for(size));
     let drawn: Drawing = (|| {
-        let page = SVGBackend::with_string(&mut svg, size).into_drawing_area();
+        let page = page::Page::new(&mut svg, &mut pixels, size).into_drawing_area();
         page.fill(&WHITE)?;
         draw(&page)?;
         page.present()?;
         Ok(())
     })();
     drawn.map_err(|error| FigureError(error.to_string()))?;
-    let png = rasterize(&svg).map_err(FigureError)?;
+    let png = png::encode(&pixels);
     Ok(Picture { svg, png })
 }
 
+/// The layout of a chart measures its letters in this font.
 fn register_the_font() {
     static REGISTERED: Once = Once::new();
     REGISTERED.call_once(|| {
-        for (style, font) in [
-            (FontStyle::Normal, dejavu::sans::regular()),
-            (FontStyle::Bold, dejavu::sans::bold()),
-        ] {
-            assert!(
-                register_font("sans-serif", style, font).is_ok(),
-                "the font that is compiled in can be read"
-            );
-        }
+        let font = register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular());
+        assert!(font.is_ok(), "the font that is compiled in can be read");
     });
-}
-
-fn rasterize(svg: &str) -> Result<Vec<u8>, String> {
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_font_source(usvg::fontdb::Source::Binary(Arc::new(
-        dejavu::sans::regular(),
-    )));
-    fonts.set_sans_serif_family("DejaVu Sans");
-    let options = usvg::Options {
-        fontdb: Arc::new(fonts),
-        ..usvg::Options::default()
-    };
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|error| error.to_string())?;
-    let size = tree.size().to_int_size();
-    let pixels = |length: u32| (length as f32 * PIXELS).ceil() as u32;
-    let mut page = tiny_skia::Pixmap::new(pixels(size.width()), pixels(size.height()))
-        .ok_or_else(|| "a picture needs a width and a height".to_owned())?;
-    let scale = tiny_skia::Transform::from_scale(PIXELS, PIXELS);
-    resvg::render(&tree, scale, &mut page.as_mut());
-    page.encode_png().map_err(|error| error.to_string())
 }
 
 /// A number on an axis, without the zeros that say nothing.
@@ -193,23 +168,69 @@ fn fitted(values: impl Iterator<Item = f64>, air: f64) -> Option<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axes, Line, Point, line_chart};
+    use std::io::Cursor;
+
+    use super::{Axes, Line, Picture, Point, line_chart};
+
+    fn drawn(title: &str) -> Picture {
+        let line = Line::new(
+            "ours",
+            (0..5).map(|x| Point::at(f64::from(x), 2.0)).collect(),
+        );
+        line_chart(&Axes::new(title, "x", "y").sized(400, 300), &[line]).unwrap()
+    }
+
+    /// The pixels of a PNG as columns and rows of red, green and blue.
+    fn pixels(png: &[u8]) -> (usize, Vec<[u8; 3]>) {
+        let mut reader = png::Decoder::new(Cursor::new(png)).read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let frame = reader.next_frame(&mut bytes).unwrap();
+        let pixels = bytes.as_chunks().0.to_vec();
+        assert_eq!(pixels.len(), (frame.width * frame.height) as usize);
+        (frame.width as usize, pixels)
+    }
 
     #[test]
     fn a_picture_has_letters_in_it_and_is_the_same_every_time() {
-        let draw = |title: &str| {
-            let line = Line::new(
-                "ours",
-                (0..5).map(|x| Point::at(f64::from(x), 2.0)).collect(),
-            );
-            line_chart(&Axes::new(title, "x", "y"), &[line]).unwrap()
-        };
-        let picture = draw("Captures & > 3");
-        assert_eq!(picture, draw("Captures & > 3"));
+        let picture = drawn("Captures & > 3");
+        assert_eq!(picture, drawn("Captures & > 3"));
         assert!(picture.svg.contains("Captures &amp; &gt; 3"));
-        assert!(picture.png.starts_with(b"\x89PNG"));
         // Without a font both pictures would be equally blank where the title is.
-        assert_ne!(picture.png, draw("").png);
+        let (width, titled) = pixels(&picture.png);
+        let (_, blank) = pixels(&drawn("").png);
+        let changed: Vec<usize> = (0..titled.len())
+            .filter(|&at| titled[at] != blank[at])
+            .collect();
+        assert!(changed.len() > 500, "{}", changed.len());
+        // Above the chart, in the middle of the page, black on white.
+        for at in changed {
+            let (x, y) = (at % width, at / width);
+            assert!((200..600).contains(&x) && y < 80, "{x} {y}");
+            assert_eq!(titled[at][0], titled[at][2]);
+        }
+    }
+
+    #[test]
+    fn the_pixels_show_what_the_svg_says_two_to_one_unit() {
+        let picture = drawn("t");
+        assert!(picture.svg.contains("width=\"400\" height=\"300\""));
+        let (width, pixels) = pixels(&picture.png);
+        assert_eq!((width, pixels.len() / width), (800, 600));
+        // The line's own colour, on the row that the SVG names for it.
+        let line = picture.svg.lines().find(|it| it.contains("#0072B2"));
+        let points = line.unwrap().split("points=\"").nth(1).unwrap();
+        let ends: Vec<usize> = points
+            .split([',', ' ', '"'])
+            .map_while(|number| number.parse().ok())
+            .collect();
+        let (x, y) = (2 * ends[0], 2 * ends[1]);
+        // It is two units wide, half of it on either side.
+        for row in 0..8 {
+            let pixel = pixels[(y - 4 + row) * width + x + 21];
+            let inside = (2..6).contains(&row);
+            assert_eq!(pixel == [0x00, 0x72, 0xB2], inside, "{row}: {pixel:?}");
+        }
+        assert_eq!(pixels[0], [255, 255, 255]);
     }
 
     #[test]
