@@ -2,9 +2,11 @@
 //!
 //! The storeys, in the book's order; each knows only those before it:
 //! [`num`] (arithmetic with the same bits everywhere) → [`som`] (self-organizing maps) →
-//! [`layer`] (maps joined into hierarchies, overload, fallback) and, beside it,
-//! [`clasm`] (items, Action SOMs, schemas, values, choice, the agent).
-//! [`forager`] describes the book's robot.
+//! [`layer`] (maps joined into hierarchies, overload, fallback) and, beside it, sensorimotor schemas:
+//! [`word`] (items, actions, notation) → [`map`] (one for each action) → [`knowledge`] (the tables) →
+//! [`choice`] (values, habits, rules) → [`level2`] (synthetic items) → [`adaptation`] (alarm, doubt) →
+//! [`agent`] (one life); [`forager`] describes the book's robot.
+//! [`growth`] is the other learner: it stands on the words alone.
 
 #![no_std]
 #![cfg_attr(
@@ -24,8 +26,17 @@
 #[cfg(test)]
 extern crate std;
 
-pub mod clasm;
+pub mod adaptation;
+pub mod agent;
+mod brain;
+pub mod check;
+pub mod choice;
 pub mod forager;
+pub mod growth;
+pub mod knowledge;
 pub mod layer;
+pub mod level2;
+pub mod map;
 pub mod num;
 pub mod som;
+pub mod word;

@@ -3,8 +3,9 @@
 //! Orders are numbered. The next one is followed; the last one again is answered as before and not
 //! followed twice, so that the other side may ask again; any other is dropped and counted.
 
-use cla_core::clasm::{ActionId, Adaptation, AgentConfig, AgentError};
+use cla_core::agent::{Adaptation, AgentConfig, AgentError};
 use cla_core::som::Prototypes;
+use cla_core::word::ActionId;
 
 use crate::fingerprint::Fingerprint;
 use crate::link::{Answer, Dropped, FRAME, Fault, Numbered, Order, Receiver, encode};
@@ -13,7 +14,7 @@ use crate::trace::from_bits;
 
 /// What is worth a line in the log of a robot; nothing without the feature `defmt`.
 mod log {
-    use cla_core::clasm::{AgentError, Choice, Lesson};
+    use cla_core::agent::{AgentError, Choice, Lesson};
 
     pub(super) fn chosen(_choice: &Choice) {
         #[cfg(feature = "defmt")]

@@ -1,6 +1,7 @@
 //! A life in which every kind of step comes, to weigh what a brain says that a step has touched.
 
-use cla_core::clasm::{Adaptation, Cost};
+use cla_core::agent::Adaptation;
+use cla_core::word::Cost;
 
 use crate::replay::{Forager, Moment, ReplayError, relive};
 use crate::trace;

@@ -6,9 +6,11 @@
 
 use core::fmt;
 
-use cla_core::clasm::{Adaptation, Agent, AgentConfig, AgentError, ConfigError, Cost};
+use cla_core::agent::{Adaptation, Agent, AgentConfig, AgentError};
+use cla_core::check::ConfigError;
 use cla_core::forager::pioneer::{ITEMS, Item};
 use cla_core::som::{BinarySom, Prototypes};
+use cla_core::word::Cost;
 
 use crate::fingerprint::Fingerprint;
 use crate::trace;

@@ -6,8 +6,8 @@
 //! [`relive`](crate::replay::relive) says; make it again with
 //! `cargo run --release -p host-sim --example record_trace`.
 
-use cla_core::clasm::{ActionId, ItemId};
 use cla_core::forager::pioneer::{ITEMS, Percept};
+use cla_core::word::{ActionId, ItemId};
 
 /// The seed of the recorded brain's life.
 pub const SEED: u64 = 7;

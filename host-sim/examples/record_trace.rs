@@ -6,8 +6,9 @@
 use std::error::Error;
 use std::path::Path;
 
-use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
+use cla_core::agent::{Adaptation, Agent, AgentConfig};
 use cla_core::forager::pioneer::{self, Brain, Percept};
+use cla_core::word::ActionId;
 use firmware_example::replay::{acting_at, second_level_at};
 use firmware_example::trace::{ACTIONS, SEED, Step};
 use host_sim::failure::Failure;

@@ -5,7 +5,7 @@
 //! Prints, for each set of parameters, the captures in 3000 undamaged actions and in 0–3k and
 //! 10–13k actions after the camera was turned, summed up best first.
 
-use cla_core::clasm::Escape;
+use cla_core::agent::Escape;
 use host_sim::baseline::tabular::{History, Method, Tabular, TabularConfig, Traces};
 use host_sim::failure::Failure;
 use host_sim::learner::{Learner, live};

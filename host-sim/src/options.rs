@@ -5,8 +5,9 @@
 
 use std::path::{Path, PathBuf};
 
-use cla_core::clasm::{AgentConfig, ItemId};
+use cla_core::agent::AgentConfig;
 use cla_core::forager;
+use cla_core::word::ItemId;
 use clap::Parser;
 
 use crate::cli::{
@@ -15,13 +16,13 @@ use crate::cli::{
 };
 use crate::device::budget::Budget;
 use crate::experiment::angle::{self, AngleConfig};
-use crate::experiment::calibrate;
-use crate::experiment::causal::{self, network::CausalConfig};
+use crate::experiment::causal;
+use crate::experiment::causal::network::CausalConfig;
 use crate::experiment::forage::{self, ForageOptions};
-use crate::experiment::mcu;
 use crate::experiment::microworld::{self, MicroworldOptions};
 use crate::experiment::recover::life::Protocol;
 use crate::experiment::recover::{self, RecoverOptions};
+use crate::experiment::{calibrate, mcu};
 use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
 use crate::report::Results;

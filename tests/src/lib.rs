@@ -1,5 +1,8 @@
 //! Tests that cross crates; what several of them need.
 
+pub mod imports;
+pub mod tokens;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,5 +1,6 @@
 //! The map of ARCHITECTURE.md, held: who imports whom, what the core does without, how long files are.
 
+use cla_tests::imports::Imports;
 use cla_tests::{Source, root, sources};
 
 const CRATES: [&str; 4] = ["cla-core", "host-sim", "firmware-example", "tests"];
@@ -47,18 +48,130 @@ fn no_file_has_more_than_500_lines_of_code() {
     }
 }
 
+/// The storeys of the core and those that each may stand on: the picture in ARCHITECTURE.md.
+const STOREYS: [(&str, &[&str]); 14] = [
+    ("check", &[]),
+    ("num", &[]),
+    ("som", &["num"]),
+    ("layer", &["num", "som"]),
+    ("word", &["num"]),
+    ("map", &["check", "num", "som", "word"]),
+    ("knowledge", &["map", "num", "som", "word"]),
+    ("choice", &["check", "knowledge", "num", "word"]),
+    (
+        "level2",
+        &["check", "choice", "knowledge", "map", "num", "som", "word"],
+    ),
+    (
+        "adaptation",
+        &["check", "choice", "knowledge", "num", "word"],
+    ),
+    (
+        "agent",
+        &[
+            "adaptation",
+            "check",
+            "choice",
+            "knowledge",
+            "level2",
+            "map",
+            "num",
+            "som",
+            "word",
+        ],
+    ),
+    // The other learner shares the words and nothing else.
+    ("growth", &["num", "word"]),
+    ("brain", &["agent", "check", "som", "word"]),
+    ("forager", &["brain"]),
+];
+
+/// The storey of a file of the core; `None` for `lib.rs`.
+fn storey(path: &str) -> Option<&str> {
+    let inside = path.strip_prefix("cla-core/src/")?.trim_end_matches(".rs");
+    let storey = inside.split('/').next()?;
+    (storey != "lib").then_some(storey)
+}
+
 #[test]
-fn each_storey_of_the_core_knows_only_those_below() {
-    for (folder, above) in [
-        ("num", &["som", "layer", "clasm", "forager"][..]),
-        ("som", &["layer", "clasm", "forager"]),
-        ("layer", &["clasm", "forager"]),
-        ("clasm", &["layer", "forager"]),
+fn each_storey_of_the_core_imports_only_storeys_below() {
+    let mut upward = Vec::new();
+    for import in Imports::of(&all()).iter() {
+        let Some(from) = storey(&import.from) else {
+            continue;
+        };
+        let named = STOREYS.iter().find(|(storey, _)| *storey == from);
+        let (_, below) = named.unwrap_or_else(|| panic!("{from} is not in the list of storeys"));
+        match storey(&import.to) {
+            Some(to) if to == from || below.contains(&to) => {}
+            // Also another crate, and the crate's root.
+            _ => upward.push(import.to_string()),
+        }
+    }
+    assert!(upward.is_empty(), "{upward:#?}");
+    // The list is in the order of the storeys: nobody stands on what comes after it.
+    for (index, (storey, below)) in STOREYS.iter().enumerate() {
+        let before = &STOREYS[..index];
+        let stands = |it: &&str| before.iter().any(|(other, _)| other == it);
+        assert!(below.iter().all(stands), "{storey}: {below:?}");
+    }
+}
+
+#[test]
+fn no_file_imports_another_that_imports_it() {
+    let imports = Imports::of(&all());
+    assert!(imports.iter().count() > 300);
+    let circles = imports.circles();
+    let named: Vec<String> = circles
+        .iter()
+        .flat_map(|circle| imports.within(circle))
+        .map(ToString::to_string)
+        .collect();
+    assert!(named.is_empty(), "{} circles: {named:#?}", circles.len());
+}
+
+#[test]
+fn a_circle_is_found_through_every_way_to_name_a_file() {
+    let file = |path: &str, text: &str| Source {
+        path: path.to_owned(),
+        text: text.to_owned(),
+    };
+    for (a, b) in [
+        ("use crate::b::B;", "use super::a::A;"),
+        (
+            "use crate::{b::{B as C}, other};",
+            "fn f(_: crate::a::A) {}",
+        ),
+        ("use super::B;", "use crate::A;"),
+        (
+            "fn f() { cla_core::b::B::new() }",
+            "use crate::a::{self, A};",
+        ),
+        (
+            "use crate::b;\nfn f() { b::f() }",
+            "macro_rules! m { () => { $crate::a::A } }",
+        ),
     ] {
-        let inside = under(&format!("cla-core/src/{folder}"));
-        for module in above {
-            let found = lines_with(&inside, &format!("crate::{module}"));
-            assert!(found.is_empty(), "{folder} imports {module}: {found:?}");
+        let sources = [
+            file(
+                "cla-core/src/lib.rs",
+                "mod a;\nmod b;\npub use a::A;\npub use b::B;",
+            ),
+            file("cla-core/src/a.rs", a),
+            file("cla-core/src/b.rs", b),
+        ];
+        let imports = Imports::of(&sources);
+        let expected = [["cla-core/src/a.rs", "cla-core/src/b.rs"]];
+        assert_eq!(imports.circles(), expected, "{a} {b} {imports:?}");
+        // Not in a test, a comment or a text.
+        for silent in [
+            format!("#[cfg(test)]\nmod tests {{ {b} }}"),
+            format!("// {b}"),
+            format!("const TEXT: &str = \"{b}\";"),
+        ] {
+            let mut sources = sources.clone();
+            sources[2].text = silent;
+            assert!(Imports::of(&sources).circles().is_empty());
         }
     }
 }

@@ -5,9 +5,10 @@
 use std::fs;
 use std::mem::{size_of, size_of_val};
 
-use cla_core::clasm::{ItemStates, Schema, SignedItems};
 use cla_core::forager::pioneer::{self, WORDS};
+use cla_core::knowledge::Schema;
 use cla_core::num::Rng;
+use cla_core::word::{ItemStates, SignedItems};
 use host_sim::experiment::microworld::goals::Planning;
 use host_sim::experiment::microworld::level1::{ByteBank, Clasm, FloatBank, Mind, SeededMind};
 use host_sim::experiment::microworld::{level2, synthetic};

@@ -3,7 +3,7 @@
 //! One seed of the foraging run lives again, and the whole calibration, which takes a second.
 //! Every number must be the same to the last bit: runs are deterministic.
 
-use cla_core::clasm::AgentConfig;
+use cla_core::agent::AgentConfig;
 use host_sim::experiment::calibrate;
 use host_sim::experiment::forage::{self, ForageOptions};
 use host_sim::progress::Progress;

@@ -1,8 +1,10 @@
 //! One CLASM serves the forager and the Microworld: the forager's `Agent`, described for the
 //! Microworld by `brain!` and a configuration, and by nothing else.
 
-use cla_core::clasm::{Adaptation, AgentConfig, HarvestConfig, ItemStates, Reason, ResultCoding};
+use cla_core::agent::{Adaptation, AgentConfig, Reason};
+use cla_core::map::{HarvestConfig, ResultCoding};
 use cla_core::num::Rng;
+use cla_core::word::ItemStates;
 use host_sim::experiment::microworld::catalogue::{Schema, VALID};
 use host_sim::experiment::microworld::level1::{known, training};
 use host_sim::world::World;
@@ -71,7 +73,7 @@ fn the_foragers_agent_learns_how_eye_and_hand_move_in_the_microworld() {
     let brain = educated(1, 30_000);
     let knowledge = brain.knowledge();
     let texts = (0..knowledge.schemas().len() as u16)
-        .filter_map(|id| knowledge.text(cla_core::clasm::SchemaId(id)));
+        .filter_map(|id| knowledge.text(cla_core::knowledge::SchemaId(id)));
     let schemas: Vec<Schema> = texts.collect();
     assert!(schemas.len() > 300, "{}", schemas.len());
     let recall = Oracle::new(Body::Visible).recall(&schemas, VALID);

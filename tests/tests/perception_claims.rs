@@ -4,7 +4,8 @@
 //! be the committed one to the last bit, on any machine.
 
 use host_sim::experiment::angle::{self, AngleConfig};
-use host_sim::experiment::causal::{self, network::CausalConfig};
+use host_sim::experiment::causal;
+use host_sim::experiment::causal::network::CausalConfig;
 use host_sim::progress::Progress;
 use host_sim::report::{Summary, Verdict};
 

@@ -7,7 +7,7 @@
 //! do not fit together do not compile.
 //! [`overload`] tells when a stimulus is too much for a layer, and [`answering_level`] which level
 //! then answers.
-//! Sensorimotor schemas are not here: they stand on the same maps in [`crate::clasm`].
+//! Sensorimotor schemas are not here: they stand on the same maps in [`crate::knowledge`].
 //!
 //! A perception of two senses, whose top layer sees both at this moment and the one before:
 //!

@@ -9,10 +9,13 @@
 #[cfg_attr(feature = "micromath", path = "functions_inexact.rs")]
 mod functions;
 mod gaussian;
+mod ones;
+pub(crate) mod ordered;
 mod rng;
 mod schedule;
 
 pub use gaussian::{GaussianError, Neighbourhood};
+pub use ones::Ones;
 pub use rng::Rng;
 pub use schedule::{Schedule, ScheduleError};
 

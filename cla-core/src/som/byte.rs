@@ -7,8 +7,8 @@
 
 use super::grid::{Grid, NodeId};
 use super::prototypes::Prototypes;
-use super::stimulus::{Ones, SparseStimulus};
-use crate::num::{Neighbourhood, Rng};
+use super::stimulus::SparseStimulus;
+use crate::num::{Neighbourhood, Ones, Rng};
 
 /// The integer that stands for a weight of 1.
 const ONE: i32 = 127;

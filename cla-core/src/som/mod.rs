@@ -19,4 +19,4 @@ pub use dense::{DenseSom, StimulusError};
 pub use grid::{BestMatch, Grid, NodeId, best_match};
 pub use prototypes::Prototypes;
 pub use quality::{quantization_error, topographic_error};
-pub use stimulus::{Ones, SparseStimulus};
+pub use stimulus::SparseStimulus;

@@ -11,15 +11,23 @@ use core::fmt::Write;
 use core::hint::black_box;
 use core::panic::PanicInfo;
 
-use cla_core::clasm::*;
+use cla_core::adaptation::*;
+use cla_core::agent::*;
+use cla_core::check::ConfigError;
+use cla_core::choice::*;
 use cla_core::forager::pioneer::{Action, Brain, Percept, be_born};
 use cla_core::forager::small;
+use cla_core::growth::*;
+use cla_core::knowledge::*;
 use cla_core::layer::overload::{
     MatchDistance, OverloadDetector, Response, TotalActivation, Transitions,
 };
 use cla_core::layer::*;
+use cla_core::level2::*;
+use cla_core::map::*;
 use cla_core::num::{Neighbourhood, Rng, Schedule, ScheduleError, exp, ln, sqrt};
 use cla_core::som::*;
+use cla_core::word::*;
 
 // Never linked, so never called.
 #[allow(unsafe_code)]

@@ -12,9 +12,8 @@
 //! The contexts of reliable schemas may become results: what an action must bring about as a whole is
 //! tracked like an item, so that chains find their links.
 
-use cla_core::clasm::{
-    ActionId, ItemId, ItemStates, SchemaText, SignedItems, SimpleSchema, SyntheticItems, Transition,
-};
+use cla_core::growth::{SimpleSchema, SyntheticItems, Transition};
+use cla_core::word::{ActionId, ItemId, ItemStates, SchemaText, SignedItems};
 
 use crate::world::microworld::{ACTIONS, ITEMS, Items, WORDS};
 
@@ -159,7 +158,8 @@ struct Bare {
 /// The mechanism.
 ///
 /// ```
-/// use cla_core::clasm::{ActionId, Transition};
+/// use cla_core::growth::Transition;
+/// use cla_core::word::ActionId;
 /// use host_sim::baseline::drescher::{Drescher, DrescherConfig};
 /// use host_sim::world::microworld::{Items, item};
 /// let mut mechanism = Drescher::new(DrescherConfig::RESTRICTED);
@@ -170,7 +170,7 @@ struct Bare {
 ///     mechanism.learn(ActionId(9), &Transition { before: closed, after: Items::EMPTY });
 /// }
 /// assert_eq!(mechanism.schemas().len(), 2); // /grasp/+hcl and /ungrasp/-hcl
-/// # Ok::<(), cla_core::clasm::ItemOutOfRange>(())
+/// # Ok::<(), cla_core::word::ItemOutOfRange>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Drescher {

@@ -5,8 +5,8 @@
 //! The Stage runs' `lock` is described in a sentence only (`host-sim/data/stage/README.md`): this
 //! is a reading of it.
 
-use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
+use cla_core::word::ItemId;
 
 use super::sector::Sector;
 use crate::learner::controller::Controller;

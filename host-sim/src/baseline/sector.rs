@@ -5,8 +5,8 @@
 //! On the exclusive percept that learners get it captures half as much again, because the nearest
 //! blob never gives way to another: the harder baseline.
 
-use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
+use cla_core::word::ItemId;
 
 use crate::learner::controller::Controller;
 use crate::world::Percept;
@@ -117,8 +117,8 @@ impl Controller for Sector {
 mod tests {
     use super::{CIRCLE, Controller, FORWARD, Sector, TURN_LEFT, TURN_RIGHT};
     use crate::world::Percept;
-    use cla_core::clasm::ItemId;
     use cla_core::num::Rng;
+    use cla_core::word::ItemId;
 
     fn seeing(sectors: &[u16]) -> Percept {
         let mut percept = Percept::all_off(7);

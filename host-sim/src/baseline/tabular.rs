@@ -16,8 +16,9 @@
 
 use std::collections::BTreeMap;
 
-use cla_core::clasm::{Escape, ItemId};
+use cla_core::agent::Escape;
 use cla_core::num::Rng;
+use cla_core::word::ItemId;
 
 use crate::failure::Failure;
 use crate::learner::{Learner, Thought};
@@ -310,7 +311,7 @@ mod tests {
     use crate::learner::{Learner, live};
     use crate::world::pioneer::{ACTIONS, BACKWARD, FORWARD, GRIP, INGRIP, ITEMS};
     use crate::world::{Percept, World};
-    use cla_core::clasm::ItemId;
+    use cla_core::word::ItemId;
 
     /// Five places in a row; forward from the last but one brings the reward, backward leads back.
     struct Corridor {

@@ -5,8 +5,8 @@
 //! stuck sector cannot show.
 //! What it cannot undo (a weak motor, a pull, slip) it meets as any servo does, by looking.
 
-use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
+use cla_core::word::ItemId;
 
 use super::sector::Sector;
 use crate::failure::Failure;
@@ -152,7 +152,7 @@ impl Learner for Told {
 mod tests {
     use super::{Damage, Learner, Percept, Told};
     use crate::world::pioneer::{ACTIONS, FORWARD, ITEMS, TURN_LEFT, TURN_RIGHT};
-    use cla_core::clasm::ItemId;
+    use cla_core::word::ItemId;
 
     fn first(damage: &str, seen: &[&[u16]]) -> usize {
         let mut told = Told::new(0.5, 1);

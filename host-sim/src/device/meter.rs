@@ -7,8 +7,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use cla_core::clasm::Cost;
 use cla_core::forager::pioneer;
+use cla_core::word::Cost;
 use firmware_example::meter::{self, Part};
 use firmware_example::trace;
 use serde::{Deserialize, Serialize};
@@ -295,7 +295,7 @@ impl Load {
 #[cfg(test)]
 mod tests {
     use super::{Load, Part, Step, Target, Weights};
-    use cla_core::clasm::Cost;
+    use cla_core::word::Cost;
 
     #[test]
     fn weights_are_found_again_from_steps_that_were_made_with_them() {

@@ -1,11 +1,11 @@
 //! The brain of `cla-core` as a [`Learner`]: percepts in its words, reasons in the book's notation.
 
-use cla_core::clasm::{
-    ActionId, Adaptation, Agent, AgentConfig, Choice, Cost, Detail, Estimate, ItemSet, ItemStates,
-    Reason, SurpriseConfig,
-};
+use cla_core::adaptation::SurpriseConfig;
+use cla_core::agent::{Adaptation, Agent, AgentConfig, Choice, Reason};
 use cla_core::forager::pioneer::{self, Brain, VOCABULARY};
+use cla_core::knowledge::Estimate;
 use cla_core::som::Prototypes;
+use cla_core::word::{ActionId, Cost, Detail, ItemSet, ItemStates};
 
 use super::{Learner, Thought};
 use crate::failure::Failure;

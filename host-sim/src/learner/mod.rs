@@ -11,7 +11,7 @@ use crate::device::meter::Load;
 use crate::failure::Failure;
 use crate::world::damage::Damage;
 use crate::world::{Percept, World};
-use cla_core::clasm::Cost;
+use cla_core::word::Cost;
 
 /// Something that chooses actions and learns from what they lead to.
 pub trait Learner {
@@ -168,7 +168,7 @@ fn feel_reflexes<W: World>(learner: &mut dyn Learner, world: &mut W) -> Result<(
 
 #[cfg(test)]
 mod tests {
-    use cla_core::clasm::{Adaptation, AgentConfig};
+    use cla_core::agent::{Adaptation, AgentConfig};
 
     use super::forager::Forager;
     use super::{Learner, STRIDE, live};
@@ -196,7 +196,7 @@ mod tests {
         fn sense(&self) -> Percept {
             let mut percept = Percept::all_off(1);
             percept
-                .set(cla_core::clasm::ItemId(0), Some(self.ahead == 2))
+                .set(cla_core::word::ItemId(0), Some(self.ahead == 2))
                 .unwrap();
             percept
         }
@@ -236,7 +236,7 @@ mod tests {
         }
 
         fn observe(&mut self, before: &Percept, by: usize, now: &Percept) -> Result<(), Failure> {
-            let tense = |percept: &Percept| percept.get(cla_core::clasm::ItemId(0));
+            let tense = |percept: &Percept| percept.get(cla_core::word::ItemId(0));
             self.0.push((tense(before), by, tense(now)));
             Ok(())
         }

@@ -13,7 +13,7 @@ pub mod microworld;
 pub mod pioneer;
 pub mod setting;
 
-use cla_core::clasm::ItemStates;
+use cla_core::word::ItemStates;
 
 use fault::{Fault, Unbreakable};
 

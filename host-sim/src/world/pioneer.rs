@@ -7,8 +7,8 @@
 
 use core::fmt;
 
-use cla_core::clasm::{ItemId, ItemStates};
 use cla_core::num::Rng;
+use cla_core::word::{ItemId, ItemStates};
 
 use super::arena::Arena;
 use super::body::{

@@ -6,7 +6,7 @@ use super::{
     BACKWARD, Blob, FORWARD, GRIP, INGRIP, Layout, Pioneer, PioneerConfig, Point, Pose, S1,
     SECTORS, TURN_AROUND, TURN_LEFT, TURN_RIGHT, World,
 };
-use cla_core::clasm::ItemId;
+use cla_core::word::ItemId;
 
 fn world(config: PioneerConfig, robot: Pose, specimens: &[(f64, f64)]) -> Pioneer {
     let specimens = specimens.iter().map(|&(x, y)| Point::new(x, y)).collect();

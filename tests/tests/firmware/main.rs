@@ -7,9 +7,10 @@ mod meter;
 
 use std::sync::{Mutex, PoisonError};
 
-use cla_core::clasm::{ActionId, Adaptation, Agent, AgentConfig};
+use cla_core::agent::{Adaptation, Agent, AgentConfig};
 use cla_core::forager::{pioneer, small};
 use cla_core::som::Prototypes;
+use cla_core::word::ActionId;
 use firmware_example::replay::{Echo, Forager, acting_at, relive, second_level_at};
 use firmware_example::trace::{self, ACTIONS, SEED, Step};
 use host_sim::device::board::{Build, Printed};

@@ -3,8 +3,8 @@
 //!
 //! Measures only; what the numbers mean is said in `compare`.
 
-use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
+use cla_core::word::ItemId;
 
 use super::yardstick::{LAYOUTS, RADII, Run, Stage, layout_text, stage_runs};
 use crate::baseline::lock::Lock;

@@ -4,7 +4,7 @@
 
 use std::cell::Cell;
 
-use cla_core::clasm::{Adaptation, AgentConfig};
+use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::pioneer::{self, Brain};
 use cla_core::num::Rng;
 

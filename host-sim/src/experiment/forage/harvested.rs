@@ -1,7 +1,8 @@
 //! The second level in the book's form on trial: childhoods with maps of its own, and their tests.
 
-use cla_core::clasm::{Adaptation, AgentConfig, Reading, SomLevelConfig};
+use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::pioneer;
+use cla_core::level2::{Reading, SomLevelConfig};
 
 use super::bench::{Bench, Captures, fresh};
 use super::level2_schemas::{Finding, findings};
@@ -167,7 +168,8 @@ mod tests {
     use crate::experiment::forage::ForageOptions;
     use crate::world::config::PioneerConfig;
     use crate::world::setting::WorldOptions;
-    use cla_core::clasm::{AgentConfig, SomLevelConfig};
+    use cla_core::agent::AgentConfig;
+    use cla_core::level2::SomLevelConfig;
 
     #[test]
     fn a_forager_with_a_level_from_maps_forages_and_the_same_seed_does_so_again() {

@@ -4,8 +4,9 @@
 //! It counts as *generated* when the item in its result is on clearly more often after it than the
 //! item's own schema succeeds at level 1: that is what the book says each of them means.
 
-use cla_core::clasm::{NotationError, SchemaText, SyntheticId};
 use cla_core::forager::pioneer::VOCABULARY;
+use cla_core::knowledge::SyntheticId;
+use cla_core::word::{NotationError, SchemaText};
 use statrs::distribution::{Binomial, DiscreteCDF};
 
 use super::measure::record_of;
@@ -203,8 +204,10 @@ mod tests {
     use crate::experiment::forage::harvested::trained;
     use crate::world::config::PioneerConfig;
     use crate::world::setting::WorldOptions;
-    use cla_core::clasm::{Adaptation, AgentConfig, SchemaText, SomLevelConfig};
+    use cla_core::agent::{Adaptation, AgentConfig};
     use cla_core::forager::pioneer::VOCABULARY;
+    use cla_core::level2::SomLevelConfig;
+    use cla_core::word::SchemaText;
 
     #[test]
     fn negative_items_make_no_difference_in_print() {

@@ -3,7 +3,8 @@
 //! The book abbreviates: of items that exclude each other only the positive one is written (6.2.6).
 //! So a printed schema stands for every stored one with the same positive items.
 
-use cla_core::clasm::{KnowledgeBase, SchemaId, SchemaText, SignedItems};
+use cla_core::knowledge::{KnowledgeBase, SchemaId};
+use cla_core::word::{SchemaText, SignedItems};
 
 /// The record of all stored schemas that the book would print the same way.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,7 +64,7 @@ pub fn record_of<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize
 #[must_use]
 pub fn promises<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
     knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
-    item: cla_core::clasm::ItemId,
+    item: cla_core::word::ItemId,
 ) -> bool {
     (0..knowledge.schemas().len())
         .filter_map(|index| knowledge.text(SchemaId(index as u16)))
@@ -75,7 +76,8 @@ pub fn promises<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 #[cfg(test)]
 mod tests {
     use super::{promises, record_of};
-    use cla_core::clasm::{ItemId, KnowledgeBase, SchemaText, Vocabulary};
+    use cla_core::knowledge::KnowledgeBase;
+    use cla_core::word::{ItemId, SchemaText, Vocabulary};
 
     const WORDS: Vocabulary = Vocabulary {
         items: &["s1", "s2", "ingrip"],

@@ -1,6 +1,6 @@
 //! What the foraging experiment varies, and the schemas of the book that it looks for.
 
-use cla_core::clasm::AgentConfig;
+use cla_core::agent::AgentConfig;
 
 use crate::world::config::PioneerConfig;
 use crate::world::setting::WorldOptions;

@@ -4,8 +4,11 @@
 //! Each explores as suits it best: level 1 in runs of 50, of which four in five are greedy (250
 //! captures; as level 2 does, 246), level 2 at every tenth action (seeds 20 to 43).
 
-use cla_core::clasm::{AgentConfig, Estimate, HabitConfig, Level2Config};
+use cla_core::agent::AgentConfig;
+use cla_core::choice::HabitConfig;
 use cla_core::forager::pioneer::Brain;
+use cla_core::knowledge::Estimate;
+use cla_core::level2::Level2Config;
 use cla_core::num::Rng;
 
 use super::bench::{Bench, Captures};

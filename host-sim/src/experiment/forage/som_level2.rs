@@ -3,11 +3,12 @@
 //! Level 1 lives as always; the second level listens, and decides wherever it knows what has just
 //! succeeded and level 1 neither explores nor escapes.
 
-use cla_core::clasm::{
-    ActionId, Adaptation, Learning, Lesson, Reason, SomLevel, SomLevelConfig, Stage, ValueConfig,
-};
+use cla_core::agent::{Adaptation, Lesson, Reason, Stage};
+use cla_core::choice::ValueConfig;
 use cla_core::forager::pioneer::{Brain, Percept};
+use cla_core::level2::{Learning, SomLevel, SomLevelConfig};
 use cla_core::num::Rng;
+use cla_core::word::ActionId;
 
 use crate::failure::Failure;
 use crate::learner::Learner;

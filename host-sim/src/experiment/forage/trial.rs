@@ -4,10 +4,11 @@
 
 use std::cell::Cell;
 
-use cla_core::clasm::{
-    AgentConfig, ChoiceRule, Detail, Estimate, ItemId, SchemaId, SchemaText, ValueConfig,
-};
+use cla_core::agent::AgentConfig;
+use cla_core::choice::{ChoiceRule, ValueConfig};
 use cla_core::forager::pioneer::{Brain, Item, VOCABULARY};
+use cla_core::knowledge::{Estimate, SchemaId};
+use cla_core::word::{Detail, ItemId, SchemaText};
 
 use super::bench::{Bench, Captures, born};
 use super::harvested::{Harvested, harvested};

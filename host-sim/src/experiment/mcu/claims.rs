@@ -3,7 +3,7 @@
 //! Instructions and bytes are the same in every run; a rate of round trips and a ratio of CPU times
 //! are this machine's, shown and never judged by a test.
 
-use cla_core::clasm::{Adaptation, AgentConfig};
+use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::{pioneer, small};
 use cla_core::num::Rng;
 use cla_core::som::Prototypes;

@@ -11,8 +11,8 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
-use cla_core::clasm::ItemSet;
 use cla_core::forager::pioneer::ITEMS;
+use cla_core::word::ItemSet;
 use firmware_example::link::{self, Answer, FRAME, Numbered, Order, encode};
 use firmware_example::trace::to_bits;
 

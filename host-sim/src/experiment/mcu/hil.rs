@@ -6,9 +6,10 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use cla_core::clasm::{Agent, AgentConfig, Cost};
+use cla_core::agent::{Agent, AgentConfig};
 use cla_core::forager::pioneer::{self, Brain};
 use cla_core::num::Rng;
+use cla_core::word::Cost;
 use firmware_example::controller::knowledge;
 use firmware_example::link::{Answer, Order};
 

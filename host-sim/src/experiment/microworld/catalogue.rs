@@ -6,7 +6,7 @@
 //! "Refined": what the equation says is said by schemas that are truly reliable, in other contexts.
 //! Level-2 equations (5.33–5.36) are judged where level 2 is (see `level2`).
 
-use cla_core::clasm::SchemaText;
+use cla_core::word::SchemaText;
 
 use crate::world::microworld::{Oracle, VOCABULARY, WORDS};
 

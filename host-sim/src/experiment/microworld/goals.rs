@@ -3,11 +3,9 @@
 //! Owns the attempts and their count; the ways of choosing steps are `cla-core`'s.
 //! Nothing is learned during an attempt, so that experience is what was said.
 
-use cla_core::clasm::{
-    ActionId, Attempt, ItemId, Planner, PlannerConfig, Progress, SignedItems, SimpleSchema,
-    chain_backward,
-};
+use cla_core::growth::{Attempt, Planner, PlannerConfig, Progress, SimpleSchema, chain_backward};
 use cla_core::num::Rng;
+use cla_core::word::{ActionId, ItemId, SignedItems};
 
 use super::level1::{ACTION_COUNT, ITEM_COUNT};
 use crate::world::microworld::{Items, Oracle, State, WORDS, item};

@@ -4,13 +4,13 @@
 //! Owns how a life of random actions is lived and what it leaves; measuring against the truth is the
 //! oracle's work.
 
-use cla_core::clasm::{
-    Accommodation, AccommodationConfig, ActionId, ActionSomBank, BaseRates, GrowthConfig,
-    HarvestConfig, ItemStates, ResultCoding, Sample, TrainingConfig, Transition, harvest_node,
-    simplify,
+use cla_core::growth::{Accommodation, AccommodationConfig, GrowthConfig, Transition, simplify};
+use cla_core::map::{
+    ActionSomBank, BaseRates, HarvestConfig, ResultCoding, Sample, TrainingConfig, harvest_node,
 };
 use cla_core::num::{Rng, Schedule};
 use cla_core::som::{ByteSom, NodeId, best_match};
+use cla_core::word::{ActionId, ItemStates};
 
 use super::catalogue::Schema;
 use crate::world::World;
@@ -239,7 +239,7 @@ impl Clasm {
         let map = &self.bank.maps()[usize::from(action.0)];
         let mut before = Items::EMPTY;
         let mut after = Items::EMPTY;
-        for (item, id) in (0..ITEM_COUNT as u16).map(|item| (item, cla_core::clasm::ItemId(item))) {
+        for (item, id) in (0..ITEM_COUNT as u16).map(|item| (item, cla_core::word::ItemId(item))) {
             let on = map.context_weight(node, item) > 0.5;
             let change = map.result_weight(node, item);
             let fits = "the Microworld's items fit its words";

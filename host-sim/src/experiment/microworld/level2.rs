@@ -5,11 +5,12 @@
 //! Maps per mode on end states bring out palpable and visible objects; the growing of accommodation
 //! with the context from one mode and the result from another brings out cross-modal schemas.
 
-use cla_core::clasm::{
-    Accommodation, ActionId, ActionSomBank, Entry, GrowthConfig, HarvestConfig, ItemId, ItemStates,
-    ResultCoding, Sample, SimpleSchema, TrainingConfig, harvest_node,
+use cla_core::growth::{Accommodation, Entry, GrowthConfig, SimpleSchema};
+use cla_core::map::{
+    ActionSomBank, HarvestConfig, ResultCoding, Sample, TrainingConfig, harvest_node,
 };
 use cla_core::num::{Rng, Schedule};
+use cla_core::word::{ActionId, ItemId, ItemStates};
 
 use super::goals::{Chains, Course, goal, pursue};
 use super::level1::{ITEM_COUNT, Life, Step, training};

@@ -14,8 +14,8 @@ pub mod report;
 pub mod synthetic;
 pub mod trial;
 
-use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
+use cla_core::word::ItemId;
 
 use crate::failure::Failure;
 use crate::progress::Progress;

@@ -3,7 +3,8 @@
 //! The right half is the persistent object: for every cell, whether the brain, by the schemas that
 //! it has and without moving, expects to find the ball there (book, 5.4.3: palpable objects).
 
-use cla_core::clasm::{ItemId, SimpleSchema};
+use cla_core::growth::SimpleSchema;
+use cla_core::word::ItemId;
 
 use super::goals::Planning;
 use crate::world::microworld::{Cell, Hand, Items, REACH, State};

@@ -1,7 +1,7 @@
 //! What the Microworld experiment prints and draws: the catalogue of equations, recall by family,
 //! growth beside Drescher's, and the figures of it.
 
-use cla_core::clasm::Detail;
+use cla_core::word::Detail;
 
 use super::catalogue::{Found, equations};
 use super::goals::Planning;

@@ -6,11 +6,11 @@
 //! A life of random primitive and composite actions labels samples in hindsight and grows schemas of
 //! one action about the items of another; the oracle judges them.
 
-use cla_core::clasm::{
-    Accommodation, AccommodationConfig, ActionId, GrowthConfig, HindsightSample, ItemId,
-    ItemStates, SchemaText, SignedItems, SimpleSchema, SyntheticItems,
+use cla_core::growth::{
+    Accommodation, AccommodationConfig, GrowthConfig, HindsightSample, SimpleSchema, SyntheticItems,
 };
 use cla_core::num::Rng;
+use cla_core::word::{ActionId, ItemId, ItemStates, SchemaText, SignedItems};
 
 use super::goals::{Chains, STEP_LIMIT};
 use super::level1::{ACTION_COUNT, ITEM_COUNT};

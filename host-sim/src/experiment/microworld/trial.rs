@@ -5,7 +5,7 @@
 
 use std::time::Instant;
 
-use cla_core::clasm::{AccommodationConfig, SimpleSchema};
+use cla_core::growth::{AccommodationConfig, SimpleSchema};
 use cla_core::num::Rng;
 
 use super::catalogue::{

@@ -17,7 +17,7 @@ pub(super) fn summary(options: &RecoverOptions, trials: &[Trial]) -> Summary {
     summary.parameter("training", options.protocol.training);
     summary.parameter("before", options.protocol.before);
     summary.parameter("after", options.protocol.after);
-    let brain = cla_core::clasm::AgentConfig::RESILIENT_LEVEL2;
+    let brain = cla_core::agent::AgentConfig::RESILIENT_LEVEL2;
     summary.parameter("brain", format!("{brain:?}"));
     for (index, damage) in options.damages.iter().enumerate() {
         let of = Lived { trials, index };

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use cla_core::clasm::{Adaptation, AgentConfig};
+use cla_core::agent::{Adaptation, AgentConfig};
 use serde_json::{Value, json};
 
 use super::life::{Protocol, watched_course};

@@ -2,7 +2,9 @@
 //!
 //! Measures only; what the numbers mean is said in `claims`.
 
-use cla_core::clasm::{Adaptation, AgentConfig, Cost, Fallback, Level2Config};
+use cla_core::agent::{Adaptation, AgentConfig};
+use cla_core::level2::{Fallback, Level2Config};
+use cla_core::word::Cost;
 
 use super::life::{Course, Protocol, course, raise, second};
 use super::options::RecoverOptions;

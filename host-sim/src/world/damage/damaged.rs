@@ -1,8 +1,8 @@
 //! A world whose robot is damaged: wires are cut and crossed here, what breaks in the body is asked
 //! of the world.
 
-use cla_core::clasm::ItemId;
 use cla_core::num::Rng;
+use cla_core::word::ItemId;
 
 use super::kinds::Damage;
 use crate::world::fault::{Beam, Fault, Unbreakable};
@@ -23,7 +23,7 @@ const WEAK: f64 = 0.5;
 /// let world = Pioneer::new(PioneerConfig::NOISY, 1)?;
 /// let damage = Damage::parse("stuck:s3", &ITEMS, &ACTIONS)?;
 /// let damaged = Damaged::new(world, damage, 1)?;
-/// assert_eq!(damaged.sense().get(cla_core::clasm::ItemId(2)), Some(true));
+/// assert_eq!(damaged.sense().get(cla_core::word::ItemId(2)), Some(true));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Damaged<W> {
@@ -180,7 +180,7 @@ mod tests {
     use crate::world::pioneer::{
         ACTIONS, BACKWARD, FORWARD, GRIP, INGRIP, ITEMS, Pioneer, TURN_LEFT, TURN_RIGHT,
     };
-    use cla_core::clasm::ItemId;
+    use cla_core::word::ItemId;
 
     fn damage(text: &str) -> Damage {
         Damage::parse(text, &ITEMS, &ACTIONS).unwrap()

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use cla_core::clasm::{ActionId, ItemId, SchemaText, SignedItems};
+use cla_core::word::{ActionId, ItemId, SchemaText, SignedItems};
 
 use super::items::{self, ACTIONS, Family, ITEMS, Items, WORDS};
 use super::state::{Body, Cell, Hand, State};
@@ -115,13 +115,13 @@ impl Recall {
 /// All reachable states, all transitions.
 ///
 /// ```
-/// use cla_core::clasm::SchemaText;
+/// use cla_core::word::SchemaText;
 /// use host_sim::world::microworld::{Body, Oracle, VOCABULARY};
 /// let oracle = Oracle::new(Body::Visible);
 /// let schema = SchemaText::parse("+text1+text3/grasp/+hcl+hgr", &VOCABULARY)?;
 /// let reliability = oracle.reliability(&schema).unwrap();
 /// assert!((reliability - 2.0 / 3.0).abs() < 1e-9); // a fist on the ball does not grip it
-/// # Ok::<(), cla_core::clasm::NotationError>(())
+/// # Ok::<(), cla_core::word::NotationError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Oracle {
@@ -353,7 +353,7 @@ fn share(part: usize, whole: usize) -> f64 {
 mod tests {
     use super::{Body, Family, Oracle};
     use crate::world::microworld::{ITEMS, VOCABULARY};
-    use cla_core::clasm::SchemaText;
+    use cla_core::word::SchemaText;
     use std::collections::BTreeSet;
 
     #[test]

@@ -1,0 +1,268 @@
+//! Habits: what doing an action has brought, by experience alone.
+//!
+//! Schemas say what an action leads to, and values follow by inference; where the percept hides what
+//! matters, inference chains guesses.
+//! A habit infers nothing: temporal differences along what was really done, Sarsa(λ) (Rummery and
+//! Niranjan 1994) with replacing traces (Singh and Sutton 1996), over few features: every item that
+//! is on, the synthetic item of the schema that has succeeded last, and one that is always there.
+//! An agent weighs both voices, as animals seem to (Daw, Niv and Dayan 2005).
+
+use crate::knowledge::SyntheticId;
+use crate::word::{ActionId, ItemSet};
+
+/// How habits form, and how much they say.
+///
+/// ```
+/// use cla_core::agent::AgentConfig;
+/// use cla_core::choice::HabitConfig;
+/// assert_eq!(AgentConfig::FORAGER.habits, None);
+/// assert_eq!(AgentConfig::FORAGER_LEVEL2.habits, Some(HabitConfig::FORAGER));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HabitConfig {
+    /// Share of an action's value that is habit, in `[0, 1]`; the rest is what schemas promise.
+    pub weight: f32,
+    /// Discount of the future, in `[0, 1)`.
+    pub discount: f32,
+    /// λ: how far back a reward is felt, in `[0, 1]`; never farther than the last 16 actions.
+    pub lambda: f32,
+    /// Share of a surprise that each feature learns, in `[0, 1]`; together they learn no more than all.
+    pub learning_rate: f32,
+    /// The same while the agent doubts what it knows.
+    pub doubting_rate: f32,
+}
+
+impl HabitConfig {
+    /// Tuned on the simulated Pioneer, seeds 0 to 79.
+    pub const FORAGER: Self = Self {
+        weight: 0.5,
+        discount: 0.85,
+        lambda: 0.8,
+        learning_rate: 0.03,
+        doubting_rate: 0.2,
+    };
+
+    /// Whether the values make sense.
+    pub(crate) fn is_sound(&self) -> bool {
+        let shares = [
+            self.weight,
+            self.lambda,
+            self.learning_rate,
+            self.doubting_rate,
+        ];
+        (0.0..1.0).contains(&self.discount)
+            && shares.iter().all(|share| (0.0..=1.0).contains(share))
+    }
+}
+
+/// Actions that still feel a reward: where discount · λ is .68, less than half a percent of it is lost.
+const FELT: usize = 16;
+
+/// What was done in what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Deed<const WORDS: usize> {
+    on: ItemSet<WORDS>,
+    trace: Option<SyntheticId>,
+    action: ActionId,
+}
+
+impl<const WORDS: usize> Deed<WORDS> {
+    const NONE: Self = Self {
+        on: ItemSet::EMPTY,
+        trace: None,
+        action: ActionId(0),
+    };
+}
+
+/// What each action has brought, for each feature; the worth of an action is their sum.
+///
+/// ```
+/// use cla_core::choice::Habits;
+/// use cla_core::word::ItemSet;
+/// let habits = Habits::<1, 7, 6, 64>::new();
+/// assert_eq!(habits.worth(&ItemSet::EMPTY, None), [0.0; 6]);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Habits<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const SYNTHETIC: usize,
+> {
+    always: [f32; ACTIONS],
+    items: [[f32; ACTIONS]; ITEMS],
+    traces: [[f32; ACTIONS]; SYNTHETIC],
+    /// The last deeds in a ring.
+    deeds: [Deed<WORDS>; FELT],
+    /// Where the newest is, and how many there are.
+    newest: u8,
+    count: u8,
+    /// What the newest has brought; what followed it is not known yet.
+    reward: f32,
+}
+
+impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHETIC: usize>
+    Habits<WORDS, ITEMS, ACTIONS, SYNTHETIC>
+{
+    /// No habit at all, of all-zero memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            always: [0.0; ACTIONS],
+            items: [[0.0; ACTIONS]; ITEMS],
+            traces: [[0.0; ACTIONS]; SYNTHETIC],
+            deeds: [Deed::NONE; FELT],
+            newest: 0,
+            count: 0,
+            reward: 0.0,
+        }
+    }
+
+    /// What each action has been worth where these items are on and the schema of `trace` has just
+    /// succeeded: discounted rewards, in the units of the inherent values.
+    #[must_use]
+    pub fn worth(&self, on: &ItemSet<WORDS>, trace: Option<SyntheticId>) -> [f32; ACTIONS] {
+        let mut worth = self.always;
+        for item in on.iter() {
+            add(&mut worth, self.items.get(usize::from(item.0)));
+        }
+        if let Some(trace) = trace {
+            add(&mut worth, self.traces.get(usize::from(trace.0)));
+        }
+        worth
+    }
+
+    fn worth_of(&self, deed: &Deed<WORDS>) -> f32 {
+        let worth = self.worth(&deed.on, deed.trace);
+        worth
+            .get(usize::from(deed.action.0))
+            .copied()
+            .unwrap_or(0.0)
+    }
+
+    /// Forgets everything.
+    pub(crate) fn clear(&mut self) {
+        *self = Self::new();
+    }
+
+    /// A synthetic item stands for another schema from now on: nothing was ever done after it.
+    pub(crate) fn renew(&mut self, item: SyntheticId) {
+        if let Some(worth) = self.traces.get_mut(usize::from(item.0)) {
+            *worth = [0.0; ACTIONS];
+        }
+        for deed in &mut self.deeds {
+            if deed.trace == Some(item) {
+                deed.trace = None;
+            }
+        }
+    }
+
+    /// What happened without a decision, a reflex or a teacher's action, is what followed the last
+    /// deed, and so is its reward.
+    pub(crate) fn add(&mut self, reward: f32) {
+        if self.count > 0 {
+            self.reward += reward;
+        }
+    }
+
+    /// The deeds so far have no bearing on what comes; what followed the last of them is not learned.
+    pub(crate) const fn pause(&mut self) {
+        self.count = 0;
+    }
+
+    /// Learns from an action, done where these items were on and `trace` had just succeeded, and
+    /// from the reward that it brought; answers how many values have moved.
+    pub(crate) fn feel(
+        &mut self,
+        (on, trace, action): (ItemSet<WORDS>, Option<SyntheticId>, ActionId),
+        reward: f32,
+        rate: f32,
+        config: &HabitConfig,
+    ) -> u32 {
+        let deed = Deed { on, trace, action };
+        let mut moved = 0;
+        if self.count > 0
+            && let Some(before) = self.deeds.get(usize::from(self.newest)).copied()
+        {
+            // Only now it is known what the deed before was good for.
+            let surprise =
+                self.reward + config.discount * self.worth_of(&deed) - self.worth_of(&before);
+            // All features of a deed move; together no farther than to what was felt.
+            let features = 1 + before.on.len() + u16::from(before.trace.is_some());
+            let share = 1.0 / f32::from(features);
+            let rate = if rate < share { rate } else { share };
+            if surprise.is_finite() {
+                moved = self.spread(rate * surprise, config.discount * config.lambda);
+            }
+        }
+        self.newest = self.newest.wrapping_add(1) % FELT as u8;
+        if let Some(place) = self.deeds.get_mut(usize::from(self.newest)) {
+            *place = deed;
+        }
+        if usize::from(self.count) < FELT {
+            self.count += 1;
+        }
+        self.reward = reward;
+        moved
+    }
+
+    /// Moves the values of the last deeds, the older the less; a feature that came again belongs to
+    /// the newer deed alone.
+    fn spread(&mut self, change: f32, fading: f32) -> u32 {
+        let mut change = change;
+        let mut seen = ItemSet::EMPTY;
+        let mut moved = 0;
+        for age in 0..usize::from(self.count) {
+            let place = (usize::from(self.newest) + FELT - age) % FELT;
+            let Some(deed) = self.deeds.get(place).copied() else {
+                continue;
+            };
+            let action = usize::from(deed.action.0);
+            let mut shift = |worth: Option<&mut [f32; ACTIONS]>| {
+                if let Some(worth) = worth.and_then(|worth| worth.get_mut(action)) {
+                    *worth += change;
+                    moved += 1;
+                }
+            };
+            if age == 0 {
+                shift(Some(&mut self.always));
+            }
+            for item in deed.on.difference(&seen).iter() {
+                shift(self.items.get_mut(usize::from(item.0)));
+            }
+            if let Some(trace) = deed.trace {
+                let newer = (0..age).any(|newer| {
+                    let place = (usize::from(self.newest) + FELT - newer) % FELT;
+                    let newer = self.deeds.get(place);
+                    newer.is_some_and(|newer| newer.trace == Some(trace))
+                });
+                if !newer {
+                    shift(self.traces.get_mut(usize::from(trace.0)));
+                }
+            }
+            seen = seen.union(&deed.on);
+            change *= fading;
+        }
+        moved
+    }
+}
+
+fn add<const ACTIONS: usize>(sums: &mut [f32; ACTIONS], values: Option<&[f32; ACTIONS]>) {
+    if let Some(values) = values {
+        for (sum, value) in sums.iter_mut().zip(values) {
+            *sum += value;
+        }
+    }
+}
+
+impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHETIC: usize> Default
+    for Habits<WORDS, ITEMS, ACTIONS, SYNTHETIC>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+#[cfg(test)]
+#[path = "habit_tests.rs"]
+mod tests;

@@ -1,0 +1,145 @@
+//! How often a schema's result comes when its context holds and its action is done (book, 5.1.1).
+
+use core::fmt;
+
+/// Which of the two estimates decides.
+///
+/// ```
+/// use cla_core::knowledge::{Estimate, Reliability};
+/// let mut it = Reliability::from_counts(3, 4);
+/// assert_eq!(it.value(Estimate::Plain), 0.75);
+/// it.record(false, 0.5);
+/// assert_eq!((it.value(Estimate::Plain), it.value(Estimate::Recent)), (0.6, 0.375));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Estimate {
+    /// Successes / activations: the book's.
+    Plain,
+    /// An average that forgets: the newest trials weigh most.
+    Recent,
+}
+
+/// The trials of one schema.
+///
+/// See [`Estimate`] for an example.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Reliability {
+    successes: u32,
+    activations: u32,
+    recent: f32,
+}
+
+impl Reliability {
+    /// No trial yet.
+    pub const ZERO: Self = Self {
+        successes: 0,
+        activations: 0,
+        recent: 0.0,
+    };
+
+    /// The record of `successes` out of `activations` trials (at least as many as successes).
+    #[must_use]
+    pub fn from_counts(successes: u32, activations: u32) -> Self {
+        let activations = activations.max(successes);
+        let mut it = Self {
+            successes,
+            activations,
+            recent: 0.0,
+        };
+        it.recent = it.value(Estimate::Plain);
+        it
+    }
+
+    /// Adds a trial; the recent average moves by at least `forgetting` (in `[0, 1]`) of the way.
+    ///
+    /// With `forgetting = 0` both estimates are the same.
+    /// At the end of the counters' range both are halved, so their share is kept.
+    pub fn record(&mut self, success: bool, forgetting: f32) {
+        if self.activations == u32::MAX {
+            self.activations /= 2;
+            self.successes /= 2;
+        }
+        self.activations += 1;
+        self.successes += u32::from(success);
+        let trials = self.activations as f32;
+        let step = if trials * forgetting > 1.01 {
+            // The share is below, whatever the rounding: no division.
+            forgetting
+        } else {
+            let share = 1.0 / trials;
+            if share > forgetting {
+                share
+            } else {
+                forgetting
+            }
+        };
+        let outcome = if success { 1.0 } else { 0.0 };
+        self.recent += step * (outcome - self.recent);
+    }
+
+    /// Replaces the recent average, when more than one trial speaks for another (see `surprise`).
+    pub(crate) fn revise(&mut self, recent: f32) {
+        self.recent = recent;
+    }
+
+    /// The estimate, in `[0, 1]`; 0 before the first trial.
+    #[must_use]
+    pub fn value(&self, estimate: Estimate) -> f32 {
+        match estimate {
+            Estimate::Plain if self.activations == 0 => 0.0,
+            Estimate::Plain => self.successes as f32 / self.activations as f32,
+            Estimate::Recent => self.recent,
+        }
+    }
+
+    /// Trials so far.
+    #[must_use]
+    pub const fn activations(&self) -> u32 {
+        self.activations
+    }
+
+    /// Trials in which the result came.
+    #[must_use]
+    pub const fn successes(&self) -> u32 {
+        self.successes
+    }
+}
+
+impl fmt::Display for Reliability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {}", self.successes, self.activations)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Estimate, Reliability};
+
+    #[test]
+    fn without_forgetting_both_estimates_agree() {
+        let mut it = Reliability::default();
+        for trial in 0..1000_u32 {
+            it.record(trial % 3 == 0, 0.0);
+        }
+        let (plain, recent) = (it.value(Estimate::Plain), it.value(Estimate::Recent));
+        assert!((plain - 0.334).abs() < 1e-6 && (plain - recent).abs() < 1e-4);
+    }
+
+    #[test]
+    fn with_forgetting_a_change_is_seen_within_its_time_constant() {
+        let mut it = Reliability::from_counts(900, 1000);
+        for _ in 0..100 {
+            it.record(false, 0.02);
+        }
+        assert!((it.value(Estimate::Recent) - 0.9 * 0.98_f32.powi(100)).abs() < 1e-4);
+        assert!(it.value(Estimate::Plain) > 0.8);
+    }
+
+    #[test]
+    fn full_counters_keep_their_share() {
+        let mut it = Reliability::from_counts(u32::MAX / 4, u32::MAX);
+        it.record(true, 0.0);
+        assert!((it.value(Estimate::Plain) - 0.25).abs() < 1e-6);
+        assert!(it.activations() < u32::MAX);
+    }
+}
