@@ -6,11 +6,13 @@
 //! Learners: `tabular` reinforcement learning, `drescher`'s marginal attribution.
 
 pub mod drescher;
+pub mod linear;
 pub mod lock;
 pub mod random;
 pub mod sector;
 pub mod tabular;
 pub mod told;
+pub mod worlds;
 
 #[cfg(test)]
 mod tests {

@@ -1,11 +1,10 @@
 //! Tabular reinforcement learning: Q-learning and Sarsa(λ), with or without one step of history.
 //!
-//! The same items, reflexes and actions as the brain has; the reward is 1 when `ingrip` is on after
-//! an action.
-//! A state is the set of items that are on; with one step of history also the set and the action
-//! before.
+//! The same items, reflexes and actions as the brain has; the reward is what the world gives as a
+//! number, and where it gives none, 1 when the Pioneer's `ingrip` is on after an action.
+//! A state is the set of items that are on; with history also the sets and the actions before.
 //!
-//! Tuned on a grid (`examples/tune_tabular.rs`): α .03 .1 .3, discount .9 .95 .98, random actions .1
+//! Tuned for the Pioneer on a grid (`examples/tune_tabular.rs`): α .03 .1 .3, discount .9 .95 .98, random actions .1
 //! .3 in training and .02 .05 .1 afterwards, untried actions worth 0 .5, with and without the brain's
 //! escape, and for Sarsa λ .5 .8 .9 .95 replacing or .5 .8 .9 accumulating: 216 sets for
 //! Q-learning (seeds 0–3 without and 0–2 with history), 1512 for Sarsa (seeds 0–2), and 48 like the best
@@ -50,6 +49,8 @@ pub enum History {
     None,
     /// The present percept, the one before it and the action between them.
     OneStep,
+    /// The present percept, the two before it and the actions between them.
+    TwoSteps,
 }
 
 /// The parameters of a tabular learner.
@@ -125,19 +126,43 @@ const ESCAPE: Escape = Escape {
     burst: 10,
 };
 
+/// A percept, its items that are on as bits, and what was done in it.
+type Moment = (u128, usize);
+
+/// By what a row of the table is found: the present percept and, with history, the moments before,
+/// the latest first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct State {
+    now: u128,
+    past: [Option<Moment>; 2],
+}
+
 /// A table of action values.
+///
+/// ```
+/// use host_sim::baseline::tabular::{Tabular, TabularConfig};
+/// use host_sim::learner::rewarded::rewarded;
+/// use host_sim::world::{World, lake::Lake};
+/// let mut world = Lake::new(1);
+/// let mut learner = Tabular::with_actions(TabularConfig::Q, world.actions(), 1);
+/// let income = rewarded(&mut learner, &mut world, 500)?;
+/// assert!(income.episodes > 5 && learner.states() > 5);
+/// # Ok::<(), host_sim::failure::Failure>(())
+/// ```
 #[derive(Clone)]
 pub struct Tabular {
     config: TabularConfig,
-    rows: BTreeMap<u64, [f64; ACTIONS.len()]>,
-    traces: Vec<(u64, usize, f64)>,
+    actions: &'static [&'static str],
+    untried: Vec<f64>,
+    rows: BTreeMap<State, Vec<f64>>,
+    traces: Vec<(State, usize, f64)>,
     rng: Rng,
     acting: bool,
-    /// Percept and action of the last choice.
-    before: Option<(u64, usize)>,
+    /// Percepts and actions of the last choices, the latest first.
+    before: [Option<Moment>; 2],
     /// State, action and reward that wait for what comes next.
-    waiting: Option<(u64, usize, f64)>,
-    chosen: (u64, usize),
+    waiting: Option<(State, usize, f64)>,
+    chosen: (State, usize),
     since_reward: u16,
     burst: u16,
 }
@@ -146,18 +171,30 @@ pub struct Tabular {
 const FAINT: f64 = 1e-3;
 
 impl Tabular {
-    /// A learner that knows nothing.
+    /// A learner that knows nothing, with the Pioneer's actions.
     #[must_use]
     pub fn new(config: TabularConfig, seed: u64) -> Self {
+        Self::with_actions(config, &ACTIONS, seed)
+    }
+
+    /// A learner that knows nothing, with these actions, of which there is at least one.
+    #[must_use]
+    pub fn with_actions(
+        config: TabularConfig,
+        actions: &'static [&'static str],
+        seed: u64,
+    ) -> Self {
         Self {
             config,
+            actions,
+            untried: vec![config.optimism; actions.len().max(1)],
             rows: BTreeMap::new(),
             traces: Vec::new(),
             rng: Rng::stream(seed, 5),
             acting: false,
-            before: None,
+            before: [None; 2],
             waiting: None,
-            chosen: (0, 0),
+            chosen: (State::default(), 0),
             since_reward: 0,
             burst: 0,
         }
@@ -169,21 +206,22 @@ impl Tabular {
         self.rows.len()
     }
 
-    fn row(&self, state: u64) -> [f64; ACTIONS.len()] {
-        let untried = [self.config.optimism; ACTIONS.len()];
-        self.rows.get(&state).copied().unwrap_or(untried)
+    fn row(&self, state: &State) -> &[f64] {
+        self.rows.get(state).unwrap_or(&self.untried)
     }
 
-    fn greedy(&mut self, state: u64) -> usize {
-        let row = self.row(state);
-        let best = row.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let equals = row.iter().filter(|&&value| value == best).count() as u32;
+    fn greedy(&mut self, state: &State) -> usize {
+        let best = greatest(self.row(state));
+        let equals = self.row(state).iter().filter(|&&value| value == best);
+        let equals = equals.count() as u32;
         let which = self.rng.below(equals.max(1)) as usize;
-        let mut best_ones = (0..ACTIONS.len()).filter(|&action| row[action] == best);
+        let row = self.row(state);
+        let mut best_ones = (0..row.len()).filter(|&action| row[action] == best);
         best_ones.nth(which).unwrap_or(0)
     }
 
-    fn pick(&mut self, state: u64) -> usize {
+    fn pick(&mut self, state: &State) -> usize {
+        let actions = self.untried.len() as u32;
         if let Some(escape) = self.config.escape.filter(|_| self.acting) {
             if self.burst == 0 && self.since_reward >= escape.after {
                 self.burst = escape.burst;
@@ -191,7 +229,7 @@ impl Tabular {
             }
             if self.burst > 0 {
                 self.burst -= 1;
-                return self.rng.below(ACTIONS.len() as u32) as usize;
+                return self.rng.below(actions) as usize;
             }
         }
         let share = if self.acting {
@@ -200,24 +238,25 @@ impl Tabular {
             self.config.explore
         };
         if self.rng.chance(share as f32) {
-            self.rng.below(ACTIONS.len() as u32) as usize
+            self.rng.below(actions) as usize
         } else {
             self.greedy(state)
         }
     }
 
     /// Moves the values of what was done towards `reward` and what the future promises.
-    fn improve(&mut self, (state, action, reward): (u64, usize, f64), future: f64) {
+    fn improve(&mut self, (state, action, reward): (State, usize, f64), future: f64) {
         let TabularConfig {
             alpha,
             discount,
             lambda,
             ..
         } = self.config;
-        let error = reward + discount * future - self.row(state)[action];
-        let untried = [self.config.optimism; ACTIONS.len()];
+        let error = reward + discount * future - self.row(&state)[action];
+        let untried = &self.untried;
         let Method::Sarsa(traces) = self.config.method else {
-            self.rows.entry(state).or_insert(untried)[action] += alpha * error;
+            let row = self.rows.entry(state).or_insert_with(|| untried.clone());
+            row[action] += alpha * error;
             return;
         };
         let here = (state, action);
@@ -232,54 +271,76 @@ impl Tabular {
             },
         }
         for (state, action, mark) in &mut self.traces {
-            self.rows.entry(*state).or_insert(untried)[*action] += alpha * error * *mark;
+            let row = self.rows.entry(*state).or_insert_with(|| untried.clone());
+            row[*action] += alpha * error * *mark;
             *mark *= discount * lambda;
         }
         self.traces.retain(|&(_, _, mark)| mark > FAINT);
     }
 }
 
-/// The items that are on as the bits of a number; items beyond the fifteenth do not exist here.
-fn bits(percept: &Percept) -> u64 {
-    percept
-        .on()
-        .iter()
-        .filter(|item| item.0 < 15)
-        .fold(0, |bits, item| bits | 1 << item.0)
+/// The items that are on as the bits of a number.
+pub(super) fn bits(percept: &Percept) -> u128 {
+    let words = percept.on().words().iter().rev();
+    words.fold(0, |bits, &word| bits << 32 | u128::from(word))
+}
+
+fn greatest(row: &[f64]) -> f64 {
+    row.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+impl Tabular {
+    fn feel(&mut self, reward: f64) {
+        self.waiting = Some((self.chosen.0, self.chosen.1, reward));
+        self.since_reward = if reward > 0.0 {
+            0
+        } else {
+            self.since_reward.saturating_add(1)
+        };
+    }
 }
 
 impl Learner for Tabular {
     fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
         let seen = bits(now);
-        let state = match (self.config.history, self.before) {
-            (History::OneStep, Some((before, action))) => {
-                seen | before << 16 | (action as u64 + 1) << 32
-            }
-            _ => seen,
+        let past = match self.config.history {
+            History::None => [None; 2],
+            History::OneStep => [self.before[0], None],
+            History::TwoSteps => self.before,
         };
-        let action = self.pick(state);
+        let state = State { now: seen, past };
+        let action = self.pick(&state);
         if let Some(waiting) = self.waiting.take() {
-            let row = self.row(state);
+            let row = self.row(&state);
             let future = match self.config.method {
-                Method::QLearning => row.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                Method::QLearning => greatest(row),
                 Method::Sarsa(_) => row[action],
             };
             self.improve(waiting, future);
         }
-        self.before = Some((seen, action));
+        self.before = [Some((seen, action)), self.before[0]];
         self.chosen = (state, action);
         Ok(action)
     }
 
     fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
         let captured = now.get(ItemId(INGRIP)) == Some(true);
-        let reward = f64::from(u8::from(captured));
-        self.waiting = Some((self.chosen.0, self.chosen.1, reward));
-        self.since_reward = if captured {
-            0
-        } else {
-            self.since_reward.saturating_add(1)
-        };
+        self.feel(f64::from(u8::from(captured)));
+        Ok(())
+    }
+
+    fn learn_with(&mut self, _: &Percept, reward: f32) -> Result<(), Failure> {
+        self.feel(f64::from(reward));
+        Ok(())
+    }
+
+    /// Nothing comes after the end of an episode.
+    fn interrupt(&mut self) -> Result<(), Failure> {
+        if let Some(waiting) = self.waiting.take() {
+            self.improve(waiting, 0.0);
+        }
+        self.traces.clear();
+        self.before = [None; 2];
         Ok(())
     }
 
@@ -297,9 +358,9 @@ impl Learner for Tabular {
     fn reason(&self) -> Thought {
         let (state, action) = self.chosen;
         Thought {
-            schema: format!("{} of state {state}", ACTIONS[action]),
+            schema: format!("{} of state {}", self.actions[action], state.now),
             action,
-            value: self.row(state)[action] as f32,
+            value: self.row(&state)[action] as f32,
             alarmed: false,
         }
     }

@@ -6,6 +6,8 @@
 
 pub mod controller;
 pub mod forager;
+pub mod native;
+pub mod rewarded;
 
 use crate::device::meter::Load;
 use crate::failure::Failure;
@@ -26,6 +28,25 @@ pub trait Learner {
     /// # Errors
     /// Whatever keeps it from learning.
     fn learn(&mut self, now: &Percept) -> Result<(), Failure>;
+
+    /// As [`learn`](Self::learn), in a world that gives a reward beside what is sensed: a finite
+    /// number, negative for a cost.
+    ///
+    /// Who learns from valued items alone does not hear it.
+    ///
+    /// # Errors
+    /// Whatever keeps it from learning.
+    fn learn_with(&mut self, now: &Percept, _reward: f32) -> Result<(), Failure> {
+        self.learn(now)
+    }
+
+    /// An episode is over: what comes next does not follow from what was.
+    ///
+    /// # Errors
+    /// Whatever keeps it from learning.
+    fn interrupt(&mut self) -> Result<(), Failure> {
+        Ok(())
+    }
 
     /// A reflex, which ended as the action with this index, has led from `before` to `after`.
     ///
@@ -156,7 +177,10 @@ pub fn watched<W: World>(
     Ok(lived)
 }
 
-fn feel_reflexes<W: World>(learner: &mut dyn Learner, world: &mut W) -> Result<(), Failure> {
+fn feel_reflexes<W: World + ?Sized>(
+    learner: &mut dyn Learner,
+    world: &mut W,
+) -> Result<(), Failure> {
     loop {
         let before = world.sense();
         let Some(action) = world.reflex() else {

@@ -5,13 +5,17 @@ pub mod body;
 pub mod camera;
 pub mod config;
 pub mod damage;
+pub mod distracted;
 pub mod fault;
 pub mod geometry;
+pub mod lake;
 pub mod launching;
 pub mod layout;
 pub mod microworld;
+pub mod names;
 pub mod pioneer;
 pub mod setting;
+pub mod solve;
 
 use cla_core::word::ItemStates;
 
@@ -50,6 +54,24 @@ pub trait World {
 
     /// Whether nothing is left to do: the world has ended.
     fn finished(&self) -> bool;
+
+    /// All that has been earned so far, rewards less costs; without signed rewards, what was obtained.
+    ///
+    /// The reward of an action is what this has grown by.
+    fn earned(&self) -> f64 {
+        f64::from(self.obtained())
+    }
+
+    /// Whether the last action ended an episode: what is sensed now is its end, and what comes after
+    /// [`begin_episode`](Self::begin_episode) does not follow from it.
+    ///
+    /// Never in worlds that are one long episode.
+    fn episode_ended(&self) -> bool {
+        false
+    }
+
+    /// Begins the next episode, which an action in an ended one does by itself, too.
+    fn begin_episode(&mut self) {}
 
     /// Something in the body breaks, and stays broken.
     ///

@@ -166,6 +166,18 @@ impl<W: World> World for Damaged<W> {
         self.world.finished()
     }
 
+    fn earned(&self) -> f64 {
+        self.world.earned()
+    }
+
+    fn episode_ended(&self) -> bool {
+        self.world.episode_ended()
+    }
+
+    fn begin_episode(&mut self) {
+        self.world.begin_episode();
+    }
+
     fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
         self.world.suffer(fault)
     }
