@@ -14,6 +14,7 @@ pub mod layout;
 pub mod microworld;
 pub mod names;
 pub mod pioneer;
+pub mod pomdp;
 pub mod setting;
 pub mod solve;
 

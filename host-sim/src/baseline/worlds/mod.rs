@@ -8,7 +8,9 @@
 use super::linear::LinearConfig;
 use super::tabular::{History, Method, TabularConfig, Traces};
 
+pub mod believer;
 pub mod lake;
+pub mod shuttle;
 
 /// The rivals that learn, as they did best in a world.
 ///
