@@ -17,6 +17,7 @@ pub mod pioneer;
 pub mod pomdp;
 pub mod setting;
 pub mod solve;
+pub mod vacuum;
 
 use cla_core::word::ItemStates;
 

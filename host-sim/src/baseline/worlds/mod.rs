@@ -11,6 +11,7 @@ use super::tabular::{History, Method, TabularConfig, Traces};
 pub mod believer;
 pub mod lake;
 pub mod shuttle;
+pub mod vacuum;
 
 /// The rivals that learn, as they did best in a world.
 ///
