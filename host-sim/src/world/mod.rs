@@ -18,6 +18,7 @@ pub mod pomdp;
 pub mod setting;
 pub mod solve;
 pub mod vacuum;
+pub mod veil;
 
 use cla_core::word::ItemStates;
 
