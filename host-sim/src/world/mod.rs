@@ -7,6 +7,7 @@ pub mod config;
 pub mod damage;
 pub mod distracted;
 pub mod fault;
+pub mod generated;
 pub mod geometry;
 pub mod lake;
 pub mod launching;

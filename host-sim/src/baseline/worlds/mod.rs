@@ -9,6 +9,7 @@ use super::linear::LinearConfig;
 use super::tabular::{History, Method, TabularConfig, Traces};
 
 pub mod believer;
+pub mod generated;
 pub mod lake;
 pub mod shuttle;
 pub mod vacuum;
