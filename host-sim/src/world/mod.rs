@@ -9,6 +9,7 @@ pub mod distracted;
 pub mod fault;
 pub mod generated;
 pub mod geometry;
+pub mod keys;
 pub mod lake;
 pub mod launching;
 pub mod layout;

@@ -10,6 +10,7 @@ use super::tabular::{History, Method, TabularConfig, Traces};
 
 pub mod believer;
 pub mod generated;
+pub mod keys;
 pub mod lake;
 pub mod shuttle;
 pub mod vacuum;
