@@ -142,4 +142,33 @@ mod tests {
         assert!((it.value(Estimate::Plain) - 0.25).abs() < 1e-6);
         assert!(it.activations() < u32::MAX);
     }
+
+    #[test]
+    fn the_first_trials_weigh_as_much_as_their_share_even_where_old_ones_are_forgotten() {
+        let mut it = Reliability::ZERO;
+        let recent = [true, false, false, true, false].map(|success| {
+            it.record(success, 0.3);
+            it.value(Estimate::Recent)
+        });
+        // 1, 1/2, 1/3 and from then on never less than .3.
+        let third = 1.0 / 3.0;
+        let fourth = third + 0.3 * (1.0 - third);
+        let expected = [1.0, 0.5, third, fourth, 0.7 * fourth];
+        for (recent, expected) in recent.into_iter().zip(expected) {
+            assert!((recent - expected).abs() < 1e-6, "{recent}, not {expected}");
+        }
+        assert_eq!(std::format!("{it}"), "2 of 5");
+    }
+
+    #[test]
+    fn before_the_first_trial_nothing_is_reliable_and_counts_are_at_least_the_successes() {
+        assert_eq!(Reliability::ZERO.value(Estimate::Plain), 0.0);
+        assert_eq!(Reliability::ZERO, Reliability::from_counts(0, 0));
+        let it = Reliability::from_counts(3, 2);
+        assert_eq!((it.successes(), it.activations()), (3, 3));
+        assert_eq!(
+            (it.value(Estimate::Plain), it.value(Estimate::Recent)),
+            (1.0, 1.0)
+        );
+    }
 }

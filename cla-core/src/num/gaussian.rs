@@ -186,4 +186,49 @@ mod tests {
         assert_eq!(N::gaussian(1.0, f32::NAN), Err(GaussianError::Cut));
         assert_eq!(N::gaussian(1.0, 1.5), Err(GaussianError::Cut));
     }
+
+    #[test]
+    fn a_tall_map_has_its_own_rows_and_a_wide_one_its_own_columns() {
+        let tall = Neighbourhood::<3, 9>::gaussian(2.0, 0.0).unwrap();
+        assert_eq!((tall.horizontal_radius(), tall.vertical_radius()), (2, 8));
+        let wide = Neighbourhood::<9, 3>::gaussian(2.0, 0.0).unwrap();
+        assert_eq!((wide.horizontal_radius(), wide.vertical_radius()), (8, 2));
+        for distance in 0..9 {
+            let exact = (-((distance * distance) as f64) / 8.0).exp();
+            for weight in [tall.weight(0, distance), wide.weight(distance, 0)] {
+                assert!((f64::from(weight) - exact).abs() < 1e-6, "{distance}");
+            }
+        }
+        assert_eq!((tall.weight(3, 0), wide.weight(0, 3)), (0.0, 0.0));
+    }
+
+    #[test]
+    fn a_factor_of_exactly_the_cut_stays_and_one_that_is_zero_bounds_the_radius() {
+        let edge = crate::num::exp(-0.5);
+        let near = Neighbourhood::<5, 5>::gaussian(1.0, edge).unwrap();
+        assert_eq!((near.horizontal_radius(), near.weight(1, 0)), (1, edge));
+        // exp(−200) is no number above 0 in `f32`.
+        let narrow = Neighbourhood::<5, 5>::gaussian(0.05, 0.0).unwrap();
+        assert_eq!(
+            (narrow.horizontal_radius(), narrow.vertical_radius()),
+            (0, 0)
+        );
+        // Too narrow for its square to be a normal number.
+        let needle = Neighbourhood::<5, 5>::gaussian(1e-22, 0.0).unwrap();
+        assert_eq!(needle, Neighbourhood::winner_only());
+        for (cut, kept) in [(0.0, true), (1.0, true), (-0.1, false), (1.1, false)] {
+            assert_eq!(
+                Neighbourhood::<5, 5>::gaussian(1.0, cut).is_ok(),
+                kept,
+                "{cut}"
+            );
+        }
+        assert!(Neighbourhood::<5, 5>::gaussian(f32::INFINITY, 0.5).is_err());
+    }
+
+    #[test]
+    fn an_error_says_what_was_wrong() {
+        let texts = [GaussianError::Sigma, GaussianError::Cut].map(|it| std::format!("{it}"));
+        assert!(texts[0].contains("width") && texts[1].contains("cut"));
+    }
 }

@@ -61,3 +61,36 @@ pub fn sqrt(x: f32) -> f32 {
 pub fn ln(x: f32) -> f32 {
     functions::ln(x)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{exp, ln, sqrt};
+
+    #[test]
+    fn the_functions_are_what_their_names_say_within_a_thousandth() {
+        // The approximations of the feature `micromath` are within some thousandths.
+        let within = if cfg!(feature = "micromath") {
+            2e-2
+        } else {
+            1e-6
+        };
+        for x in [-3.0_f32, -0.5, 0.0, 0.25, 1.0, 2.5] {
+            let exact = f64::from(x).exp();
+            assert!(
+                (f64::from(exp(x)) - exact).abs() < within * exact.max(1.0),
+                "exp {x}"
+            );
+        }
+        for x in [0.01_f32, 0.5, 1.0, 3.0, 250.0] {
+            let (log, root) = (f64::from(x).ln(), f64::from(x).sqrt());
+            assert!(
+                (f64::from(ln(x)) - log).abs() < within * log.abs().max(1.0),
+                "ln {x}"
+            );
+            assert!(
+                (f64::from(sqrt(x)) - root).abs() < within * root.max(1.0),
+                "sqrt {x}"
+            );
+        }
+    }
+}

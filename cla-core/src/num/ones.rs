@@ -40,3 +40,22 @@ impl Iterator for Ones<'_> {
         Some(self.base - 32 + bit)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Ones;
+
+    #[test]
+    fn bits_are_listed_in_order_over_all_words() {
+        let words = [0, 1 << 31 | 0b110, 0, 1];
+        let all = Ones::of(&words).collect::<std::vec::Vec<_>>();
+        assert_eq!(all, [33, 34, 63, 96]);
+        assert_eq!(Ones::of(&[]).next(), None);
+    }
+
+    #[test]
+    fn of_more_words_than_bits_have_names_the_first_count() {
+        let words = std::vec![1_u32 << 31; 2049];
+        assert_eq!(Ones::of(&words).count(), 2047);
+    }
+}

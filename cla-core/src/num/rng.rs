@@ -141,4 +141,72 @@ mod tests {
         assert_ne!(Rng::stream(5, 0).next_u32(), Rng::stream(5, 1).next_u32());
         assert_ne!(Rng::new(0).next_u32(), Rng::new(1).next_u32());
     }
+
+    #[test]
+    fn a_seed_is_mixed_as_published() {
+        // First outputs of the reference C code of SplitMix64 for the seed 0.
+        let (next, first) = super::split_mix(0);
+        let (next, second) = super::split_mix(next);
+        let (_, third) = super::split_mix(next);
+        assert_eq!(
+            [first, second, third],
+            [
+                0xE220_A839_7B1D_CDAF,
+                0x6E78_9E6A_A1B9_65F4,
+                0x06C4_5D18_8009_454F
+            ]
+        );
+        let words = [first, second].map(|it| [it as u32, (it >> 32) as u32]);
+        assert_eq!(
+            Rng::new(0).state,
+            [words[0][0], words[0][1], words[1][0], words[1][1]]
+        );
+    }
+
+    #[test]
+    fn no_two_streams_of_no_two_seeds_begin_alike() {
+        let mut drawn = std::vec::Vec::new();
+        for stream in 0..5 {
+            drawn.push(Rng::stream(0, stream).next_u32());
+            for bit in 0..64 {
+                drawn.push(Rng::stream(1 << bit, stream).next_u32());
+            }
+        }
+        let all = drawn.len();
+        drawn.sort_unstable();
+        drawn.dedup();
+        assert_eq!(drawn.len(), all);
+    }
+
+    #[test]
+    fn a_seed_drawn_is_two_draws_high_word_first() {
+        let (mut one, mut two) = (Rng::new(6), Rng::new(6));
+        let (high, low) = (two.next_u32(), two.next_u32());
+        assert_eq!(one.next_seed(), u64::from(high) << 32 | u64::from(low));
+    }
+
+    #[test]
+    fn unit_numbers_fill_zero_to_one_evenly() {
+        let mut rng = Rng::new(11);
+        let mut counts = [0_u32; 10];
+        for _ in 0..10_000 {
+            let x = rng.unit();
+            assert!((0.0..1.0).contains(&x));
+            counts[(x * 10.0) as usize] += 1;
+        }
+        // Five standard deviations of a binomial with n = 10,000 and p = .1.
+        assert!(
+            counts.iter().all(|count| (850..=1150).contains(count)),
+            "{counts:?}"
+        );
+        let hits = (0..10_000).filter(|_| rng.chance(0.3)).count();
+        assert!((2770..=3230).contains(&hits), "{hits}");
+    }
+
+    #[test]
+    fn a_generator_that_was_not_seeded_draws_zero_and_takes_no_chance() {
+        let mut rng = Rng::UNSEEDED;
+        assert_eq!((rng.next_u32(), rng.unit(), rng.below(9)), (0, 0.0, 0));
+        assert!(!rng.chance(0.0) && rng.chance(1e-9));
+    }
 }

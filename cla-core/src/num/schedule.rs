@@ -205,4 +205,67 @@ mod tests {
         assert_eq!(Schedule::linear(1.0, 0.0, 0), Err(ScheduleError::NoSteps));
         assert_eq!(Schedule::decay(1.0, 0.0, 0.0), Err(ScheduleError::NoSteps));
     }
+
+    #[test]
+    fn a_line_rises_and_falls_between_its_ends() {
+        let falls = Schedule::linear(0.3, 0.1, 400).unwrap();
+        let rises = Schedule::linear(1.0, 3.0, 4).unwrap();
+        assert!((falls.at(100) - 0.25).abs() < 1e-6 && (falls.at(300) - 0.15).abs() < 1e-6);
+        assert_eq!(
+            [0, 1, 2, 3, 4, 5].map(|t| rises.at(t)),
+            [1.0, 1.5, 2.0, 2.5, 3.0, 3.0]
+        );
+        assert_eq!(falls.at(400), 0.1);
+        let always = Schedule::constant(0.7).unwrap();
+        assert_eq!([0, 1, u32::MAX].map(|t| always.at(t)), [0.7; 3]);
+    }
+
+    #[test]
+    fn a_geometric_schedule_loses_the_same_share_at_every_sample() {
+        let it = Schedule::geometric(8.0, 0.5, 100).unwrap();
+        for t in 0..100 {
+            let share = it.at(t + 1) / it.at(t);
+            assert!((share - 0.0625_f32.powf(0.01)).abs() < 1e-4, "{t}: {share}");
+        }
+        assert_eq!((it.at(100), it.at(u32::MAX)), (0.5, 0.5));
+    }
+
+    #[test]
+    fn a_decay_comes_near_its_end_and_never_passes_it() {
+        let it = Schedule::decay(1.0, 0.2, 600.0).unwrap();
+        assert_eq!(it.at(0), 1.0);
+        assert!((it.at(600) - (0.2 + 0.8 * 0.367_879_44)).abs() < 1e-6);
+        assert!((it.at(1200) - (0.2 + 0.8 * 0.135_335_28)).abs() < 1e-6);
+        assert_eq!(it.at(1_000_000), 0.2);
+    }
+
+    #[test]
+    fn every_number_of_a_schedule_is_checked() {
+        use ScheduleError::{NoSteps, NotFinite, OutOfRange};
+        let linear = |from, to, steps| Schedule::linear(from, to, steps).err();
+        assert_eq!(linear(0.0, 0.0, 1), None);
+        assert_eq!(linear(-0.1, 0.1, 1), Some(OutOfRange));
+        assert_eq!(linear(0.1, -0.1, 1), Some(OutOfRange));
+        assert_eq!(linear(f32::INFINITY, 0.1, 1), Some(NotFinite));
+        assert_eq!(linear(0.1, f32::NAN, 1), Some(NotFinite));
+        let geometric = |from, to, steps| Schedule::geometric(from, to, steps).err();
+        assert_eq!(geometric(1.0, 2.0, 1), None);
+        assert_eq!(geometric(0.0, 1.0, 1), Some(OutOfRange));
+        assert_eq!(geometric(1.0, 0.0, 1), Some(OutOfRange));
+        assert_eq!(geometric(-1.0, 1.0, 1), Some(OutOfRange));
+        assert_eq!(geometric(1.0, 1.0, 0), Some(NoSteps));
+        let decay = |from, to, time| Schedule::decay(from, to, time).err();
+        assert_eq!(decay(0.0, 0.0, 0.1), None);
+        assert_eq!(decay(1.0, 0.0, -1.0), Some(NoSteps));
+        assert_eq!(decay(1.0, 0.0, f32::NAN), Some(NotFinite));
+        assert_eq!(decay(1.0, 0.0, f32::INFINITY), Some(NotFinite));
+        assert_eq!(decay(1.0, -1.0, 1.0), Some(OutOfRange));
+        for (error, word) in [
+            (NotFinite, "finite"),
+            (OutOfRange, "negative"),
+            (NoSteps, "step"),
+        ] {
+            assert!(std::format!("{error}").contains(word));
+        }
+    }
 }

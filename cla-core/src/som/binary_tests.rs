@@ -178,3 +178,9 @@ fn features_outside_the_map_are_left_out() {
     assert_eq!(sparse, before, "node 35 is outside a map of 35 nodes");
     assert!(distances.as_slice().iter().all(|d| d.is_finite()));
 }
+
+#[test]
+fn a_squared_distance_that_rounding_made_negative_is_none() {
+    let clipped = [-1.0, -1e-30, f32::NEG_INFINITY, 0.0, 2.5, 1e30].map(super::not_below_zero);
+    assert_eq!(clipped, [0.0, 0.0, 0.0, 0.0, 2.5, 1e30]);
+}

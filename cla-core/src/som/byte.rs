@@ -356,4 +356,41 @@ mod tests {
         map.add_squared_distances(&stimulus, 1.0, &mut scratch, &mut distances);
         assert_eq!(distances.as_slice(), [0.0]);
     }
+
+    #[test]
+    fn a_step_rounds_up_as_often_as_its_fraction_says() {
+        // From 0 towards 127 by 1/508: a quarter of the weights move by one, whichever they are.
+        let mut map = ByteSom::<1, 1, 2000>::ZERO;
+        map.randomize(&mut Rng::new(4));
+        let (none, all) = ([0_u32; 63], [u32::MAX; 63]);
+        let of = |on| SparseStimulus {
+            on,
+            minus: &[],
+            unknown: &[],
+        };
+        for (on, goal, step) in [(&none, &all, 1.0), (&all, &none, -1.0)] {
+            map.imprint(&of(on), NodeId(0));
+            let c = 1.0 / 508.0;
+            map.train(
+                &of(goal),
+                NodeId(0),
+                c,
+                &Neighbourhood::winner_only(),
+                |_| true,
+            );
+            let from = if step > 0.0 { 0.0 } else { 1.0 };
+            let moved = |feature: u16| (map.weight(NodeId(0), feature) - from) * 127.0 * step;
+            let mut count = 0;
+            let mut pairs = 0;
+            for feature in 0..2000 {
+                let far = moved(feature);
+                assert!(far.abs() < 0.01 || (far - 1.0).abs() < 0.01, "{far}");
+                count += u32::from(far > 0.5);
+                pairs += u32::from(far > 0.5 && feature > 0 && moved(feature - 1) > 0.5);
+            }
+            // Five standard deviations; and of two neighbours one says nothing of the other.
+            assert!((403..=597).contains(&count), "{count}");
+            assert!((70..=180).contains(&pairs), "{pairs}");
+        }
+    }
 }

@@ -303,4 +303,32 @@ mod tests {
         assert!((0.05..0.10).contains(&quantization), "{quantization}");
         assert!(topographic < 0.1, "{topographic}");
     }
+
+    #[test]
+    fn a_step_goes_the_share_of_the_way_from_where_the_weight_was() {
+        let mut som = DenseSom::<1, 1, 3>::new();
+        som.prototypes_mut().as_mut_slice()[0] = [2.0, -1.0, 0.5];
+        som.train(
+            &[4.0, -2.0, 0.5],
+            NodeId(0),
+            0.25,
+            &Neighbourhood::winner_only(),
+        );
+        assert_eq!(som.prototypes().as_slice()[0], [2.5, -1.25, 0.5]);
+    }
+
+    #[test]
+    fn a_refused_stimulus_leaves_the_distances_as_they_were() {
+        let mut som = DenseSom::<5, 1, 2>::new();
+        som.prototypes_mut().as_mut_slice()[4] = [3.0, 4.0];
+        let mut distances = crate::som::Grid::filled(-1.0);
+        let error = som.squared_distances(&[f32::INFINITY, 0.0], &mut distances);
+        let error = error.unwrap_err();
+        assert_eq!(error, StimulusError::NotFinite { feature: 0 });
+        let text = std::string::ToString::to_string(&error);
+        assert_eq!(text, "feature 0 of the stimulus is not a finite number");
+        assert_eq!(distances.as_slice(), [-1.0; 5]);
+        som.squared_distances(&[1.0, 0.0], &mut distances).unwrap();
+        assert_eq!(distances.as_slice(), [1.0, 1.0, 1.0, 1.0, 20.0]);
+    }
 }

@@ -133,4 +133,38 @@ mod tests {
         grid.as_mut_slice()[3] = 9.0;
         assert_eq!(best_match(&grid).node, NodeId(3));
     }
+
+    #[test]
+    fn the_smallest_wins_wherever_it_stands_and_a_negative_number_never() {
+        let mut grid = Grid::<f32, 3, 2>::filled(2.0);
+        for place in 0..6 {
+            grid.as_mut_slice()[place] = 0.5;
+            let best = best_match(&grid);
+            assert_eq!(
+                (best.node, best.squared_distance),
+                (NodeId(place as u16), 0.5)
+            );
+            grid.as_mut_slice()[place] = 2.0;
+        }
+        grid.as_mut_slice()
+            .copy_from_slice(&[5.0, 3.0, 4.0, 1.0, -7.0, 1.0]);
+        assert_eq!(best_match(&grid).node, NodeId(3));
+        let nothing = best_match(&Grid::<f32, 2, 1>::filled(-1.0));
+        assert_eq!(
+            (nothing.node, nothing.squared_distance),
+            (NodeId(0), f32::INFINITY)
+        );
+    }
+
+    #[test]
+    fn nodes_are_counted_row_by_row() {
+        let mut grid = Grid::<u8, 3, 2>::filled(0);
+        assert_eq!(Grid::<u8, 3, 2>::NODES, 6);
+        for (node, place) in [(0, (0, 0)), (2, (2, 0)), (3, (0, 1)), (5, (2, 1))] {
+            assert_eq!(grid.position(NodeId(node)), place);
+        }
+        grid.rows_mut()[1][2] = 7;
+        assert_eq!((grid.as_slice()[5], grid.rows()[1]), (7, [0, 0, 7]));
+        assert_eq!(std::string::ToString::to_string(&NodeId(12)), "node 12");
+    }
 }

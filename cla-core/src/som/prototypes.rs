@@ -117,3 +117,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
         Self::imprint(self, stimulus, node);
     }
 }
+
+#[cfg(test)]
+#[path = "prototypes_tests.rs"]
+mod tests;

@@ -86,3 +86,7 @@ fn runner_up<const WIDTH: usize, const HEIGHT: usize>(
     }
     second
 }
+
+#[cfg(test)]
+#[path = "quality_tests.rs"]
+mod tests;

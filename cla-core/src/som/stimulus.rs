@@ -50,3 +50,24 @@ impl<'a> SparseStimulus<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::SparseStimulus;
+
+    #[test]
+    fn features_are_listed_by_what_is_known_of_them() {
+        let stimulus = SparseStimulus {
+            on: &[0, 0b110],
+            minus: &[0b1000],
+            unknown: &[1, 1 << 5],
+        };
+        assert!(stimulus.on().eq([33, 34]));
+        assert!(stimulus.minus().eq([3]));
+        assert!(stimulus.unknown().eq([0, 37]));
+        for feature in 0..70 {
+            let unknown = feature == 0 || feature == 37;
+            assert_eq!(stimulus.is_unknown(feature), unknown, "{feature}");
+        }
+    }
+}
