@@ -340,4 +340,45 @@ mod tests {
             assert_eq!(made, Err(LayerConfigError::ActivationWidth), "{width}");
         }
     }
+
+    #[test]
+    fn an_activation_too_small_to_matter_is_none_and_a_small_one_is_what_it_is() {
+        let mut layer = Layer::<2, 1, 1>::new();
+        layer.configure(&config(1.0));
+        // exp(−40.5) is 2.6 · 10⁻¹⁸, exp(−42) is less than 10⁻¹⁸.
+        let places = [[9.0], [84.0_f32.sqrt()]];
+        layer
+            .som_mut()
+            .prototypes_mut()
+            .as_mut_slice()
+            .copy_from_slice(&places);
+        layer.activate(&[0.0]).unwrap();
+        let [small, none] = layer.activation().as_slice() else {
+            panic!("two nodes")
+        };
+        assert!((small / 2.576e-18 - 1.0).abs() < 0.01, "{small:e}");
+        assert_eq!(*none, 0.0);
+        let response = layer.response();
+        assert_eq!(
+            (response.best_match, response.total_activation),
+            (layer.best_match(), *small)
+        );
+        assert_eq!(layer.best_match().squared_distance, 81.0);
+        assert_eq!(layer.novelty(), 81.0);
+    }
+
+    #[test]
+    fn a_layer_that_is_started_again_has_new_weights_and_no_activation() {
+        let mut layer = Layer::<3, 3, 2>::new();
+        layer.start(&config(0.5), &mut Rng::new(1));
+        layer.activate(&[0.5, 0.5]).unwrap();
+        assert!(layer.total_activation() > 0.0);
+        let before = layer.som().clone();
+        layer.start(&config(0.5), &mut Rng::new(2));
+        assert_eq!(layer.total_activation(), 0.0);
+        assert_ne!(*layer.som(), before);
+        assert!(std::format!("{}", LayerConfigError::ActivationWidth).contains("width"));
+        let edge = LayerConfig::try_new(2e-6, Schedule::ZERO, Schedule::ZERO);
+        assert!(edge.is_ok());
+    }
 }

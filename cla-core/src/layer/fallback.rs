@@ -58,4 +58,9 @@ mod tests {
         }
         assert_eq!(answering_level([]), None);
     }
+
+    #[test]
+    fn a_level_is_called_by_its_number() {
+        assert_eq!(std::format!("{}", Level(2)), "Level 2");
+    }
 }

@@ -284,3 +284,7 @@ impl<S: Structure, const PERCENT: u32> Structure for Scaled<S, PERCENT> {
         self.source.forget_context();
     }
 }
+
+#[cfg(test)]
+#[path = "structure_tests.rs"]
+mod tests;

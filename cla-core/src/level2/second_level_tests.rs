@@ -186,6 +186,7 @@ fn what_follows_a_success_is_worth_its_value_moved_towards_experience_and_discou
 fn a_result_without_an_item_is_worth_what_level_1_holds_it_to_be() {
     let (mut knowledge, mut level) = (schemas(), Two::new());
     level.reify(&mut knowledge, SchemaId(0)).unwrap();
+    level.improve(&mut knowledge, SyntheticId(99), &VALUES, &CONFIG);
     knowledge.settle_values::<2>(50, &VALUES);
     let text = SchemaText::parse("+gold/go/+b", &WORDS).unwrap();
     knowledge.insert(&text, 1, 1).unwrap();

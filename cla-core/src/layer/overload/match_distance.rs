@@ -280,4 +280,45 @@ mod tests {
             Err(MatchDistanceConfigError::Limit)
         );
     }
+
+    #[test]
+    fn the_mean_is_that_of_the_nodes_that_have_won() {
+        let mut detector = MatchDistance::<4, 1>::new();
+        detector.configure(&MatchDistanceConfig::try_new(1.0, 1.0, 1.0).unwrap());
+        assert_eq!(detector.strain(&response(0, 3.0)), 0.0);
+        detector.record(&response(0, 3.0));
+        detector.record(&response(1, 1.0));
+        assert_eq!(detector.reach().as_slice(), [3.0, 1.0, 0.0, 0.0]);
+        // A node that never won is held to the mean alone: 2.
+        assert_eq!(detector.strain(&response(2, 3.0)), 1.5);
+        assert_eq!(detector.strain(&response(9, 3.0)), 1.5);
+        // What has been exactly as far as it may be is no overload.
+        assert!(!detector.overloaded(&response(2, 2.0)) && detector.overloaded(&response(2, 2.1)));
+        detector.record(&response(9, 5.0));
+        detector.forget_context();
+        assert_eq!(detector.strain(&response(2, 3.0)), 1.5);
+    }
+
+    #[test]
+    fn every_number_of_the_rule_is_checked_and_its_edges_are_good() {
+        use MatchDistanceConfigError::{Decay, Limit, Pooling};
+        let made =
+            |decay, pooling, limit| MatchDistanceConfig::try_new(decay, pooling, limit).err();
+        for good in [(0.0, 0.0, 0.1), (1.0, 9.0, 99.0)] {
+            assert_eq!(made(good.0, good.1, good.2), None);
+        }
+        for decay in [-0.1, 1.1, f32::NAN] {
+            assert_eq!(made(decay, 0.5, 1.0), Some(Decay));
+        }
+        for pooling in [-0.1, f32::INFINITY, f32::NAN] {
+            assert_eq!(made(0.5, pooling, 1.0), Some(Pooling));
+        }
+        for limit in [0.0, -1.0, f32::INFINITY, f32::NAN] {
+            assert_eq!(made(0.5, 0.5, limit), Some(Limit));
+        }
+        assert_eq!(MatchDistanceConfig::STANDARD.limit(), 1.5);
+        for (error, word) in [(Decay, "decay"), (Pooling, "pooling"), (Limit, "limit")] {
+            assert!(std::format!("{error}").contains(word));
+        }
+    }
 }

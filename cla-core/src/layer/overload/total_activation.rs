@@ -103,4 +103,21 @@ mod tests {
         assert!(detector.overloaded(&response(0.0)));
         assert_eq!(detector.strain(&response(0.25)), 2.0);
     }
+
+    #[test]
+    fn the_smallest_of_the_totals_is_the_limit() {
+        let mut detector = TotalActivation::new();
+        let mut minima = std::vec::Vec::new();
+        for total in [2.0, 1.5, 3.0] {
+            detector.record(&response(total));
+            minima.push(detector.minimum());
+        }
+        assert_eq!(minima, [Some(2.0), Some(1.5), Some(1.5)]);
+        assert!(!detector.overloaded(&response(1.5)) && detector.overloaded(&response(1.4)));
+        assert_eq!(detector.strain(&response(3.0)), 0.5);
+        // Where silence is normal, nothing is too little.
+        detector.record(&response(0.0));
+        assert_eq!(detector.minimum(), Some(0.0));
+        assert_eq!(detector.strain(&response(0.0)), 0.0);
+    }
 }

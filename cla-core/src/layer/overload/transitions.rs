@@ -210,4 +210,28 @@ mod tests {
         assert_eq!(table.recorded(), 0);
         assert!(!table.overloaded(&winner(1)));
     }
+
+    #[test]
+    fn a_new_transition_strains_by_two_and_what_is_asked_about_is_the_last_winner() {
+        let mut table = table();
+        table.forget_context();
+        assert_eq!(table.strain(&winner(31)), 0.0);
+        assert_eq!(table.strain(&winner(32)), 0.0);
+        assert_eq!(table.strain(&winner(0)), 2.0);
+        assert_eq!(table.strain(&winner(39)), 0.0);
+        assert_eq!(table.recorded(), 3, "asking records nothing");
+    }
+
+    #[test]
+    fn a_wider_slack_reaches_as_many_columns_and_rows() {
+        let mut table = Transitions::<8, 5, 2>::new();
+        table.record(&winner(0));
+        // Column 3 of row 2.
+        table.record(&winner(19));
+        table.set_slack(2);
+        for b in 0..40_u16 {
+            let near = (b % 8).abs_diff(3) <= 2 && (b / 8).abs_diff(2) <= 2;
+            assert_eq!(is_new(&mut table, 0, b), !near, "{b}");
+        }
+    }
 }
