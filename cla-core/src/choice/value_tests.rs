@@ -270,3 +270,28 @@ fn an_appraisal_counts_what_it_looks_at() {
     it.expected_values::<2>(&on(&[A]), &HALF);
     assert_eq!((it.cost.patterns, it.cost.schemas), (3, 2));
 }
+
+#[test]
+fn for_the_forager_a_way_needs_ten_successes_one_in_fifty_and_half_more_than_the_average() {
+    let leads = |here: u32, all: u32, average: u32| {
+        let mut it = knowledge(&[
+            ("+a/go/+gold", here, all),
+            ("+a/go/+a", all - here, all),
+            ("+c/go/+gold", average, all),
+            ("+c/go/+c", all - average, all),
+        ]);
+        it.defer_values(&ValueConfig::FORAGER);
+        it.deferred_value(A) > 0.0
+    };
+    assert!(leads(10, 100, 0));
+    assert!(!leads(9, 100, 0), "nine successes are a handful");
+    assert!(leads(20, 1000, 0));
+    assert!(!leads(19, 1000, 0), "less than one in fifty");
+    assert!(leads(31, 100, 10), "31 of 100 where 41 of 200 is usual");
+    assert!(!leads(29, 100, 10));
+    // What comes now counts, not what came in all.
+    let mut it = knowledge(&[("+a/go/+gold", 90, 100)]);
+    it.record(&on(&[A]), crate::word::ActionId(0), &on(&[]), 0.5);
+    let [go] = it.expected_values::<1>(&on(&[A]), &ValueConfig::FORAGER);
+    near(go.value, 4.5);
+}
