@@ -116,7 +116,7 @@ fn a_new_event_empties_whatever_holds_something_wherever_it_stands() {
     type Inner = Stack<Join<Input<1>, Input<2>>, 2, 1, 3>;
     type Looped = Recurrent<Inner, 2, 1>;
     type Whole = Stack<Join<Held, Join<Late, Looped>>, 2, 2, 6>;
-    let mut whole = Whole::default();
+    let mut whole = Whole::new();
     whole.upper = started(1);
     whole.lower.second.second.source.upper = started(2);
     let show = |whole: &mut Whole, now: f32| {
