@@ -311,3 +311,29 @@ fn a_configuration_of_habits_is_sound_when_every_number_is_in_range() {
     };
     assert!(edges.is_sound());
 }
+
+#[test]
+fn at_full_rate_all_features_of_a_deed_together_move_to_what_was_felt() {
+    for (on, trace) in [
+        (ItemSet::EMPTY, None),
+        (at(0), None),
+        (ItemSet::EMPTY, Some(SyntheticId(1))),
+        (ItemSet::first(3), Some(SyntheticId(1))),
+    ] {
+        let mut it = Three::new();
+        it.feel((on, trace, RIGHT), 6.0, 1.0, &CONFIG);
+        it.pause();
+        it.feel((on, trace, RIGHT), 6.0, 1.0, &CONFIG);
+        assert_eq!(
+            it.worth(&on, trace),
+            [0.0, 0.0],
+            "a pause forgets what came"
+        );
+        it.feel((ItemSet::EMPTY, None, WRONG), 0.0, 1.0, &CONFIG);
+        let [right, wrong] = it.worth(&on, trace);
+        assert!(
+            (right - 6.0).abs() < 1e-5 && wrong == 0.0,
+            "{right} {wrong}"
+        );
+    }
+}
