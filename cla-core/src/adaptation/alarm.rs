@@ -122,3 +122,109 @@ impl Surprise {
         self.doubt > 0 && self.doubt.is_multiple_of(EVERY)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Surprise, SurpriseConfig};
+
+    const CONFIG: SurpriseConfig = SurpriseConfig {
+        missing: 8.0,
+        enough: 0.65,
+        doubt: 100,
+        optimism: 3.0,
+    };
+
+    /// After so many actions of which every fourth is rewarded.
+    fn usual(actions: u32) -> Surprise {
+        let mut it = Surprise::NONE;
+        for action in 0..actions {
+            assert!(!it.feel(&CONFIG, action % 4 == 0));
+        }
+        it
+    }
+
+    /// Actions without reward up to the alarm.
+    fn patience(mut it: Surprise) -> u32 {
+        let mut actions = 1;
+        while !it.feel(&CONFIG, false) {
+            actions += 1;
+            assert!(actions < 1000);
+        }
+        assert_eq!(it.alarms(), 1);
+        actions
+    }
+
+    #[test]
+    fn an_alarm_sounds_when_so_many_of_the_usual_rewards_have_stayed_away() {
+        // .65 of a quarter of a reward is missing after each action; the usual rate falls with them.
+        assert!((45..=49).contains(&patience(usual(2000))));
+        // Nobody is surprised in the first 500 actions, and what was usual in them fades.
+        let early = patience(usual(100));
+        assert!((700..=735).contains(&early), "{early}");
+        // A reward counts against what was missing, and more than that is not saved up.
+        let mut it = usual(2000);
+        for _ in 0..40 {
+            it.feel(&CONFIG, false);
+        }
+        for _ in 0..3 {
+            it.feel(&CONFIG, true);
+        }
+        assert!((20..=34).contains(&patience(it)), "{}", patience(it));
+        for _ in 0..20 {
+            it.feel(&CONFIG, true);
+        }
+        assert!(patience(it) > 45);
+    }
+
+    #[test]
+    fn a_doubt_lasts_its_actions_sounds_no_alarm_and_weighs_every_twenty_five() {
+        let mut it = usual(2000);
+        assert!(!it.doubts() && !it.weighs());
+        it.alarm(&CONFIG);
+        let mut weighed = std::vec::Vec::new();
+        for action in 0..100 {
+            assert!(it.doubts(), "{action}");
+            if it.weighs() {
+                weighed.push(action);
+            }
+            assert!(!it.feel(&CONFIG, false));
+        }
+        assert_eq!(weighed, [0, 25, 50, 75]);
+        assert!(!it.doubts() && !it.weighs());
+        assert_eq!(it.alarms(), 1);
+        // What stayed away in the doubt is forgiven.
+        assert!(patience(usual(2000)) < 60 && !it.feel(&CONFIG, false));
+        it.alarm(&CONFIG);
+        it.end();
+        assert!(!it.doubts());
+        assert_eq!(it.alarms(), 2);
+    }
+
+    #[test]
+    fn a_surprise_is_valid_when_every_number_is_in_range() {
+        let bad: [fn(&mut SurpriseConfig); 9] = [
+            |it| it.missing = 0.0,
+            |it| it.missing = -1.0,
+            |it| it.missing = f32::INFINITY,
+            |it| it.enough = -0.1,
+            |it| it.enough = 1.1,
+            |it| it.optimism = -1.0,
+            |it| it.optimism = f32::INFINITY,
+            |it| it.doubt = 0,
+            |it| it.enough = f32::NAN,
+        ];
+        for (index, spoil) in bad.into_iter().enumerate() {
+            let mut config = CONFIG;
+            assert!(config.is_valid());
+            spoil(&mut config);
+            assert!(!config.is_valid(), "{index}");
+        }
+        let edge = SurpriseConfig {
+            missing: 1e-3,
+            enough: 1.0,
+            doubt: 1,
+            optimism: 0.0,
+        };
+        assert!(edge.is_valid());
+    }
+}

@@ -217,3 +217,39 @@ fn the_same_seed_gives_the_same_doubt_to_the_bit() {
     assert_eq!(life(), life());
     assert!(life().0 >= 1);
 }
+
+#[test]
+fn a_doubt_of_an_agent_ends_after_its_actions_and_leaves_nothing_doubted() {
+    let mut agent = std::boxed::Box::new(Agent::<1, 3, 4, 4, 2, 16, 16>::new());
+    let surprise = Some(SurpriseConfig {
+        doubt: 40,
+        ..CONFIG
+    });
+    let config = AgentConfig {
+        surprise,
+        ..AgentConfig::RESILIENT
+    };
+    agent.begin(config, 1).unwrap();
+    let live = |agent: &mut Agent<1, 3, 4, 4, 2, 16, 16>, steps: u32| {
+        for _ in 0..steps {
+            let action = agent.choose(&state(&[0])).unwrap().action;
+            let on = if action == WALK { 2 } else { 0 };
+            agent.learn(&state(&[on])).unwrap();
+        }
+    };
+    live(&mut agent, 300);
+    agent.act(Adaptation::Relearning).unwrap();
+    let nothing = crate::knowledge::Doubt::default();
+    let doubted = |agent: &Agent<1, 3, 4, 4, 2, 16, 16>| {
+        let schemas = agent.knowledge().schemas().iter();
+        schemas.filter(|schema| schema.doubt != nothing).count()
+    };
+    assert_eq!(doubted(&agent), 0);
+    agent.doubt();
+    assert_eq!((agent.doubts(), agent.alarms()), (true, 1));
+    assert!(doubted(&agent) > 0);
+    live(&mut agent, 39);
+    assert!(agent.doubts() && doubted(&agent) > 0);
+    live(&mut agent, 1);
+    assert_eq!((agent.doubts(), doubted(&agent)), (false, 0));
+}
