@@ -156,6 +156,7 @@ mod tests {
     use super::{Lost, Veil, Veiled};
     use crate::world::config::PioneerConfig;
     use crate::world::lake::Lake;
+    use crate::world::microworld::{Body, Microworld};
     use crate::world::pioneer::Pioneer;
     use crate::world::vacuum::Vacuum;
     use crate::world::{Percept, World};
@@ -221,6 +222,20 @@ mod tests {
             hidden.clear();
         }
         assert!(seen > 100);
+    }
+
+    #[test]
+    fn each_of_the_microworlds_items_can_be_hidden_alone() {
+        let count = Microworld::new(1, Body::Visible, 0.0).items().len() as u16;
+        for item in 0..count {
+            let bare = Microworld::new(1, Body::Visible, 0.0);
+            let mut world = Veiled::new(bare, Veil::Item(item, Lost::Unknown), 1);
+            world.act(3);
+            let (real, shown) = (world.world().sense(), world.sense());
+            assert_eq!(shown.known().len(), count - 1);
+            let same = |it| it == item || real.get(ItemId(it)) == shown.get(ItemId(it));
+            assert!((0..count).all(same));
+        }
     }
 
     #[test]

@@ -25,6 +25,13 @@ fn worlds_are_of_every_kind_that_the_generator_names_and_fit_the_brain() {
     for spec in &specs {
         assert!((ITEMS.0..=ITEMS.1).contains(&spec.shown.len()));
         assert!((ACTIONS.0..=ACTIONS.1).contains(&spec.effects.len()));
+        let now = Generated::new(Arc::clone(spec), 1).sense();
+        assert_eq!(usize::from(now.known().len()), dweller::ITEMS.len());
+        assert!(
+            now.on()
+                .iter()
+                .all(|it| usize::from(it.0) < spec.shown.len())
+        );
         assert_eq!(spec.items(), &dweller::VOCABULARY.items[..spec.shown.len()]);
         assert_eq!(
             spec.actions(),

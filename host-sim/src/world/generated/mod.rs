@@ -19,7 +19,7 @@ use super::{Percept, World};
 pub use spec::{ACTIONS, Change, Effect, ITEMS, Shown, Spec};
 
 cla_core::brain! {
-    /// A robot for the largest of these worlds; in a smaller one the other items stay unknown, and
+    /// A robot for the largest of these worlds; in a smaller one the other items are off for ever, and
     /// the other actions do again what the first ones do.
     pub mod dweller {
         items: [
@@ -116,7 +116,7 @@ impl Generated {
 
     fn look(&mut self) {
         let spec = Arc::clone(&self.spec);
-        let mut percept = Percept::all_off(spec.shown.len() as u16);
+        let mut percept = Percept::all_off(ITEMS.1 as u16);
         for (index, shown) in spec.shown.iter().enumerate() {
             let on = match *shown {
                 Shown::Reward => self.rewarded,
