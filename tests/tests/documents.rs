@@ -1,7 +1,7 @@
 //! The documents, held: links lead somewhere, commands are ones that the programs take, the code of
 //! README is the code that the crate's page runs, pages say what a page has to say.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +9,7 @@ use cla_tests::root;
 use clap::Parser;
 use host_sim::cli::Cli;
 use host_sim::options::Order;
+use serde_json::Value;
 
 /// A Markdown file: its path in the project and its text.
 type Document = (String, String);
@@ -302,6 +303,60 @@ fn a_command_that_the_programs_refuse_is_noticed() {
     assert_eq!(commands(text), ["cargo run --release", "host-sim angle"]);
 }
 
+/// The ids of all committed claims.
+fn claims() -> Vec<String> {
+    let folder = fs::read_dir(root().join("tests/claims")).expect("the claims are there");
+    let mut ids = Vec::new();
+    for file in folder.flatten() {
+        let text = fs::read_to_string(file.path()).expect("claims are text");
+        let value: Value = serde_json::from_str(&text).expect("claims are JSON");
+        let claims = value["claims"].as_array().cloned().unwrap_or_default();
+        ids.extend(
+            claims
+                .iter()
+                .filter_map(|it| it["id"].as_str())
+                .map(str::to_owned),
+        );
+    }
+    ids
+}
+
+/// Whether a name with one or more `*` stands for an id.
+fn stands_for(name: &str, id: &str) -> bool {
+    let mut rest = id;
+    for (index, part) in name.split('*').enumerate() {
+        match rest.find(part) {
+            Some(at) if index > 0 || at == 0 => rest = &rest[at + part.len()..],
+            _ => return false,
+        }
+    }
+    rest.is_empty() || name.ends_with('*')
+}
+
+#[test]
+fn every_claim_that_the_documents_name_is_committed() {
+    let ids = claims();
+    let families: BTreeSet<&str> = ids.iter().filter_map(|it| it.split('.').next()).collect();
+    assert!(families.len() > 5, "{families:?}");
+    let mut named = 0;
+    for (path, text) in documents() {
+        for name in prose(&text).flat_map(|line| spans(line, true)) {
+            let family = name.split_once('.').map_or("", |(family, _)| family);
+            let word = |it: char| it.is_ascii_alphanumeric() || "._*".contains(it);
+            if path == "CHANGELOG.md" || !families.contains(family) || !name.chars().all(word) {
+                continue;
+            }
+            named += 1;
+            assert!(
+                ids.iter().any(|id| stands_for(name, id)),
+                "{path}: there is no claim {name}"
+            );
+        }
+    }
+    assert!(named > 20, "only {named} claims are named");
+    assert!(stands_for("a.*.b*", "a.x.bc") && !stands_for("a.*.b", "a.x.bc"));
+}
+
 #[test]
 fn the_code_of_readme_is_the_code_that_the_page_of_the_crate_runs() {
     let readme = read("README.md");
@@ -365,8 +420,16 @@ fn the_changelog_is_told_by_kind_of_change_in_short_lines() {
         assert!(kinds.contains(&heading), "{heading}");
     }
     assert!(text.contains("\n## Unreleased\n"));
+    for version in text.split("\n## ").skip(1) {
+        let mut seen = BTreeSet::new();
+        for heading in version.lines().filter(|line| line.starts_with("### ")) {
+            assert!(seen.insert(heading), "{heading} stands twice");
+        }
+    }
+    let mut seen = BTreeSet::new();
     for line in text.lines().filter(|line| line.starts_with("- ")) {
+        assert!(seen.insert(line), "twice: {line}");
         let length = line.chars().count();
-        assert!(length <= 160, "{length} characters: {line}");
+        assert!(length <= 200, "{length} characters: {line}");
     }
 }
