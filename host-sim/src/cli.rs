@@ -1,7 +1,7 @@
 //! The command line, declared: names, defaults and help of every option, and nothing else.
 //!
-//! To add an experiment: a struct of its arguments and a variant of [`Command`] here, its validated
-//! options and a variant of [`Job`](crate::options::Job) in `options`.
+//! To add an experiment: a variant of [`Command`] with its arguments here, and what plan they make in
+//! `options`.
 
 use std::path::PathBuf;
 
@@ -23,21 +23,111 @@ pub struct Cli {
 #[derive(Clone, Debug, Subcommand)]
 pub enum Command {
     /// A Pioneer learns to collect specimens from one valued item (book, 6.2).
-    Forage(ForageArgs),
+    Forage {
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Where they are lived.
+        #[command(flatten)]
+        world: WorldArgs,
+        /// Actions of training, a multiple of 1000.
+        #[arg(long, value_name = "N", default_value_t = 10_000)]
+        actions: u32,
+        /// Actions of a test.
+        #[arg(long, value_name = "N", default_value_t = 3_000)]
+        test_actions: u32,
+        /// What the brain may cost.
+        #[command(flatten)]
+        budget: BudgetArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// Compare our Pioneer with the original simulator, Stage 1.3.4 and 4.3.0, on the same layouts.
-    Calibrate(CalibrateArgs),
+    Calibrate {
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// Learn launching events with a hierarchy of maps: causal perception, stages and fallback.
-    Causal(CausalArgs),
+    Causal {
+        /// The seeds.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// Learn angles as infants do: young networks see lines, old ones angles.
-    Angle(AngleArgs),
+    Angle {
+        /// The seeds.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// A robot is damaged in mid-life and recovers, beside its rivals (book, 6.3, 7.1.1).
-    Recover(RecoverArgs),
+    Recover {
+        /// What breaks: camera:DEGREES, shift:N, dead:ITEM, stuck:ITEM, swap:A,B, pull:DEGREES,
+        /// weak:ACTION, slip:SHARE, lost:ACTION, beam, none; or all. May be given several times.
+        #[arg(long, value_name = "DAMAGE", default_value = "camera:+12")]
+        damage: Vec<String>,
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Where they are lived.
+        #[command(flatten)]
+        world: WorldArgs,
+        /// What the brain may cost.
+        #[command(flatten)]
+        budget: BudgetArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// An eye, a hand and a ball: schemas, goals and persistent objects (book, 5.4).
-    Microworld(MicroworldArgs),
+    Microworld {
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Pursue this item, such as +hp22 or +taste1, and show the steps instead of the experiment.
+        #[arg(long, value_name = "+ITEM", allow_hyphen_values = true)]
+        goal: Option<String>,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// The brain on emulated microcontrollers: the same bits, what it costs, others beside it.
-    Mcu(McuArgs),
+    Mcu {
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// What the brain may cost.
+        #[command(flatten)]
+        budget: BudgetArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// The simulated robot lives with a brain in an emulated controller.
-    Hil(HilArgs),
+    Hil {
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Actions of training.
+        #[arg(long, value_name = "N", default_value_t = 10_000)]
+        actions: u32,
+        /// Actions of the test.
+        #[arg(long, value_name = "N", default_value_t = 3_000)]
+        test_actions: u32,
+        /// What the brain may cost.
+        #[command(flatten)]
+        budget: BudgetArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
 }
 
 /// Where the files of a run go.
@@ -98,126 +188,4 @@ pub struct WorldArgs {
     /// File with the places of the specimens, instead of random ones.
     #[arg(long, value_name = "FILE")]
     pub layout: Option<PathBuf>,
-}
-
-/// Arguments of `calibrate`.
-#[derive(Clone, Debug, Args)]
-pub struct CalibrateArgs {
-    /// Where the files go.
-    #[command(flatten)]
-    pub out: OutArgs,
-}
-
-/// Arguments of `forage`.
-#[derive(Clone, Debug, Args)]
-pub struct ForageArgs {
-    /// Which lives.
-    #[command(flatten)]
-    pub seeds: SeedArgs,
-    /// Where they are lived.
-    #[command(flatten)]
-    pub world: WorldArgs,
-    /// Actions of training, a multiple of 1000.
-    #[arg(long, value_name = "N", default_value_t = 10_000)]
-    pub actions: u32,
-    /// Actions of a test.
-    #[arg(long, value_name = "N", default_value_t = 3_000)]
-    pub test_actions: u32,
-    /// What the brain may cost.
-    #[command(flatten)]
-    pub budget: BudgetArgs,
-    /// Where the files go.
-    #[command(flatten)]
-    pub out: OutArgs,
-}
-
-/// Arguments of `recover`.
-#[derive(Clone, Debug, Args)]
-pub struct RecoverArgs {
-    /// What breaks: camera:DEGREES, shift:N, dead:ITEM, stuck:ITEM, swap:A,B, pull:DEGREES,
-    /// weak:ACTION, slip:SHARE, lost:ACTION, beam, none; or all. May be given several times.
-    #[arg(long, value_name = "DAMAGE", default_value = "camera:+12")]
-    pub damage: Vec<String>,
-    /// Which lives.
-    #[command(flatten)]
-    pub seeds: SeedArgs,
-    /// Where they are lived.
-    #[command(flatten)]
-    pub world: WorldArgs,
-    /// What the brain may cost.
-    #[command(flatten)]
-    pub budget: BudgetArgs,
-    /// Where the files go.
-    #[command(flatten)]
-    pub out: OutArgs,
-}
-
-/// Arguments of `causal`.
-#[derive(Clone, Debug, Args)]
-pub struct CausalArgs {
-    /// The seeds.
-    #[command(flatten)]
-    pub seeds: SeedArgs,
-    /// Where the files go.
-    #[command(flatten)]
-    pub out: OutArgs,
-}
-
-/// Arguments of `angle`.
-#[derive(Clone, Debug, Args)]
-pub struct AngleArgs {
-    /// The seeds.
-    #[command(flatten)]
-    pub seeds: SeedArgs,
-    /// Where the files go.
-    #[command(flatten)]
-    pub out: OutArgs,
-}
-
-/// Arguments of `microworld`.
-#[derive(Clone, Debug, Args)]
-pub struct MicroworldArgs {
-    /// Which lives.
-    #[command(flatten)]
-    pub seeds: SeedArgs,
-    /// Pursue this item, such as +hp22 or +taste1, and show the steps instead of the experiment.
-    #[arg(long, value_name = "+ITEM", allow_hyphen_values = true)]
-    pub goal: Option<String>,
-    /// Where the files go.
-    #[command(flatten)]
-    pub out: OutArgs,
-}
-
-/// Arguments of `mcu`.
-#[derive(Clone, Debug, Args)]
-pub struct McuArgs {
-    /// Which lives.
-    #[command(flatten)]
-    pub seeds: SeedArgs,
-    /// What the brain may cost.
-    #[command(flatten)]
-    pub budget: BudgetArgs,
-    /// Where the files go.
-    #[command(flatten)]
-    pub out: OutArgs,
-}
-
-/// Arguments of `hil`.
-#[derive(Clone, Debug, Args)]
-pub struct HilArgs {
-    /// Which lives.
-    #[command(flatten)]
-    pub seeds: SeedArgs,
-    /// Actions of training.
-    #[arg(long, value_name = "N", default_value_t = 10_000)]
-    pub actions: u32,
-    /// Actions of the test.
-    #[arg(long, value_name = "N", default_value_t = 3_000)]
-    pub test_actions: u32,
-    /// What the brain may cost.
-    #[command(flatten)]
-    pub budget: BudgetArgs,
-    /// Where the files go.
-    #[command(flatten)]
-    pub out: OutArgs,
 }

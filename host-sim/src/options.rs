@@ -5,67 +5,42 @@
 
 use std::path::{Path, PathBuf};
 
-use cla_core::agent::AgentConfig;
 use cla_core::forager;
-use cla_core::word::ItemId;
 use clap::Parser;
 
-use crate::cli::{
-    AngleArgs, BudgetArgs, CalibrateArgs, CausalArgs, Cli, Command, ForageArgs, HilArgs,
-    MicroworldArgs, OutArgs, RecoverArgs, SeedArgs, WorldArgs,
-};
+use crate::cli::{BudgetArgs, Cli, Command, OutArgs, SeedArgs, WorldArgs};
 use crate::device::budget::Budget;
-use crate::experiment::angle::{self, AngleConfig};
-use crate::experiment::causal;
-use crate::experiment::causal::network::CausalConfig;
-use crate::experiment::forage::{self, ForageOptions};
-use crate::experiment::microworld::{self, MicroworldOptions};
-use crate::experiment::recover::life::Protocol;
-use crate::experiment::recover::{self, RecoverOptions};
-use crate::experiment::{calibrate, mcu};
+use crate::experiment::angle::{Angle, AngleOptions};
+use crate::experiment::calibrate::{Calibrate, CalibrateOptions};
+use crate::experiment::causal::{Causal, CausalOptions};
+use crate::experiment::forage::{Forage, ForageOptions};
+use crate::experiment::hil::{Hil, HilOptions};
+use crate::experiment::mcu::{Mcu, McuOptions};
+use crate::experiment::microworld::{Chapter5, MicroworldOptions, Pursuit, PursuitOptions};
+use crate::experiment::plan::{Experiment, Plan, Planned};
+use crate::experiment::recover::{Recover, RecoverOptions};
 use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
 use crate::report::Results;
 use crate::world::config::{AfterCapture, PioneerConfig};
-use crate::world::damage::{Damage, Damaged};
-use crate::world::microworld::{Body, Oracle, item};
-use crate::world::pioneer;
 use crate::world::setting::{WorldOptions, read_layout};
 
 /// Most seeds of one run.
 const MOST_SEEDS: u64 = 100_000;
 
-/// An experiment with options that can be run.
-#[derive(Clone, Debug)]
-pub enum Job {
-    /// See [`forage`].
-    Forage(Box<ForageOptions>),
-    /// See [`calibrate`].
-    Calibrate,
-    /// See [`causal`]: the standard parameters with these seeds.
-    Causal(Vec<u64>),
-    /// See [`angle`]: the standard parameters with these seeds.
-    Angle(Vec<u64>),
-    /// See [`recover`].
-    Recover(Box<RecoverOptions>),
-    /// See [`microworld`].
-    Microworld(MicroworldOptions),
-    /// See [`mcu`]: with these seeds.
-    Mcu(Vec<u64>),
-    /// See [`mcu::hil`]: with these seeds, actions of training and actions of the test.
-    Hil(Vec<u64>, (u32, u32)),
-}
-
-/// A job, and where its files go.
-#[derive(Clone, Debug)]
+/// An experiment with options that can be run, and where its files go.
+#[derive(Debug)]
 pub struct Order {
     /// What to run.
-    pub job: Job,
+    pub plan: Box<dyn Planned>,
     /// The directory of its files.
     pub out: PathBuf,
     /// What its brain may cost; `None` where there is no brain with a budget.
     pub budget: Option<Budget>,
 }
+
+/// A plan and the arguments that all experiments share: where its files go, what its brain may cost.
+type Asked<'a> = (Box<dyn Planned>, &'a OutArgs, Option<&'a BudgetArgs>);
 
 impl Order {
     /// Checks everything that can be checked without running.
@@ -78,201 +53,106 @@ impl Order {
             let forage = Cli::try_parse_from(["host-sim", "forage"]);
             return Self::new(&forage.map_err(Impossible::new)?);
         };
-        match command {
-            Command::Forage(args) => Ok(Self {
-                job: Job::Forage(Box::new(forage_options(args)?)),
-                out: directory(&args.out, "forage"),
-                budget: Some(budget(&args.budget)?),
-            }),
-            Command::Calibrate(CalibrateArgs { out }) => Ok(Self {
-                job: Job::Calibrate,
-                out: directory(out, "calibrate"),
-                budget: None,
-            }),
-            Command::Causal(CausalArgs { seeds: args, out }) => Ok(Self {
-                job: Job::Causal(seeds(args)?),
-                out: directory(out, "causal"),
-                budget: None,
-            }),
-            Command::Angle(AngleArgs { seeds: args, out }) => Ok(Self {
-                job: Job::Angle(seeds(args)?),
-                out: directory(out, "angle"),
-                budget: None,
-            }),
-            Command::Recover(args) => Ok(Self {
-                job: Job::Recover(Box::new(recover_options(args)?)),
-                out: directory(&args.out, "recover"),
-                budget: Some(budget(&args.budget)?),
-            }),
-            Command::Microworld(args) => Ok(Self {
-                job: Job::Microworld(microworld_options(args)?),
-                out: directory(&args.out, "microworld"),
-                budget: None,
-            }),
-            Command::Mcu(args) => Ok(Self {
-                job: Job::Mcu(seeds(&args.seeds)?),
-                out: directory(&args.out, "mcu"),
-                budget: Some(budget(&args.budget)?),
-            }),
-            Command::Hil(args) => Ok(Self {
-                job: hil(args)?,
-                out: directory(&args.out, "hil"),
-                budget: Some(budget(&args.budget)?),
-            }),
-        }
+        let (plan, out, budget) = asked(command)?;
+        let budget = budget
+            .map(|args| Budget::new(&args.budget, &args.processor))
+            .transpose()?;
+        let default = || Path::new("runs").join(plan.name());
+        Ok(Self {
+            out: out.out.clone().unwrap_or_else(default),
+            plan,
+            budget,
+        })
     }
-}
 
-impl Order {
-    /// Runs the job, and holds what it cost against its budget.
+    /// Runs the plan, and holds what it cost against its budget.
     ///
     /// # Errors
     /// [`Failure`] when it fails, or its brain is too large; nothing has been written.
     pub fn run(&self, progress: &Progress) -> Result<Results, Failure> {
         let Some(budget) = &self.budget else {
-            return self.job.run(progress);
+            return self.plan.run(progress);
         };
         // All of them run the same brain.
         let bytes = forager::pioneer::RAM;
         budget.check_ram(bytes)?;
-        Ok(budget.judge(self.job.run(progress)?, bytes))
+        Ok(budget.judge(self.plan.run(progress)?, bytes))
     }
 }
 
-impl Job {
-    /// Runs the experiment.
-    ///
-    /// # Errors
-    /// [`Failure`] when it fails; nothing has been written.
-    pub fn run(&self, progress: &Progress) -> Result<Results, Failure> {
-        match self {
-            Self::Forage(options) => forage::run(options, progress),
-            Self::Calibrate => calibrate::report::run(progress),
-            Self::Causal(seeds) => {
-                let study = causal::run(seeds, &CausalConfig::standard(), progress);
-                Ok(study.report()?)
-            }
-            Self::Angle(seeds) => {
-                let study = angle::run(seeds, &AngleConfig::STANDARD, progress);
-                Ok(study.report()?)
-            }
-            Self::Recover(options) => recover::run(options, progress),
-            Self::Microworld(options) => microworld::run(options, progress),
-            Self::Mcu(seeds) => mcu::run(seeds, progress),
-            Self::Hil(seeds, actions) => mcu::run_hil(seeds, *actions, progress),
+/// What a command asks for: the one place where arguments become options.
+fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
+    Ok(match command {
+        Command::Forage {
+            seeds: which,
+            world: place,
+            actions,
+            test_actions,
+            budget,
+            out,
+        } => {
+            let options = ForageOptions::new(seeds(which)?, world(place)?, *actions, *test_actions);
+            (plan::<Forage>(options?), out, Some(budget))
         }
-    }
-}
-
-fn forage_options(args: &ForageArgs) -> Result<ForageOptions, Impossible> {
-    if args.actions == 0 || !args.actions.is_multiple_of(forage::SNAPSHOT) {
-        return Err(Impossible::new(
-            "--actions must be a multiple of 1000, at least 1000",
-        ));
-    }
-    if args.test_actions == 0 {
-        return Err(Impossible::new("--test-actions must be at least 1"));
-    }
-    if args.world.removed {
-        let sentence = "--removed does not go with forage: it tests both ways of counting";
-        return Err(Impossible::new(sentence));
-    }
-    let options = ForageOptions {
-        seeds: seeds(&args.seeds)?,
-        world: world(&args.world)?,
-        brain: AgentConfig::FORAGER,
-        actions: args.actions,
-        test_actions: args.test_actions,
-    };
-    for &seed in &options.seeds {
-        options.world.build(seed)?;
-    }
-    Ok(options)
-}
-
-fn recover_options(args: &RecoverArgs) -> Result<RecoverOptions, Impossible> {
-    if args.world.removed {
-        let sentence = "--removed does not go with recover: a cleared room teaches nothing more";
-        return Err(Impossible::new(sentence));
-    }
-    let world = world(&args.world)?;
-    let mut damages = Vec::new();
-    let read = |text: &str| {
-        let damage = Damage::parse(text, &pioneer::ITEMS, &pioneer::ACTIONS);
-        damage.map_err(|error| Impossible::new(format!("--damage: {error}")))
-    };
-    for text in &args.damage {
-        if text == "all" {
-            for text in Damage::REPORTED {
-                damages.push(read(text)?);
-            }
-        } else {
-            damages.push(read(text)?);
+        Command::Calibrate { out } => (plan::<Calibrate>(CalibrateOptions::standard()), out, None),
+        Command::Causal { seeds: which, out } => {
+            let options = CausalOptions::standard(seeds(which)?);
+            (plan::<Causal>(options), out, None)
         }
-    }
-    let options = RecoverOptions {
-        seeds: seeds(&args.seeds)?,
-        world,
-        damages,
-        protocol: Protocol::STANDARD,
-    };
-    for &seed in &options.seeds {
-        options.world.build(seed)?;
-    }
-    for &damage in &options.damages {
-        Damaged::new(options.world.build(0)?, damage, 0).map_err(Impossible::new)?;
-    }
-    Ok(options)
-}
-
-fn hil(args: &HilArgs) -> Result<Job, Impossible> {
-    if args.actions == 0 || args.test_actions == 0 {
-        return Err(Impossible::new(
-            "--actions and --test-actions must be at least 1",
-        ));
-    }
-    Ok(Job::Hil(
-        seeds(&args.seeds)?,
-        (args.actions, args.test_actions),
-    ))
-}
-
-fn microworld_options(args: &MicroworldArgs) -> Result<MicroworldOptions, Impossible> {
-    let goal = args.goal.as_deref().map(microworld_goal).transpose()?;
-    Ok(MicroworldOptions {
-        seeds: seeds(&args.seeds)?,
-        goal,
+        Command::Angle { seeds: which, out } => {
+            let options = AngleOptions::standard(seeds(which)?);
+            (plan::<Angle>(options), out, None)
+        }
+        Command::Recover {
+            damage,
+            seeds: which,
+            world: place,
+            budget,
+            out,
+        } => {
+            let options = RecoverOptions::new(seeds(which)?, world(place)?, damage)?;
+            (plan::<Recover>(options), out, Some(budget))
+        }
+        Command::Microworld {
+            seeds: which,
+            goal,
+            out,
+        } => match (goal, seeds(which)?) {
+            (Some(goal), seeds) => {
+                let first = seeds.first().copied().unwrap_or_default();
+                (
+                    plan::<Pursuit>(PursuitOptions::new(first, goal)?),
+                    out,
+                    None,
+                )
+            }
+            (None, seeds) => (plan::<Chapter5>(MicroworldOptions { seeds }), out, None),
+        },
+        Command::Mcu {
+            seeds: which,
+            budget,
+            out,
+        } => {
+            let options = McuOptions {
+                seeds: seeds(which)?,
+            };
+            (plan::<Mcu>(options), out, Some(budget))
+        }
+        Command::Hil {
+            seeds: which,
+            actions,
+            test_actions,
+            budget,
+            out,
+        } => {
+            let options = HilOptions::new(seeds(which)?, *actions, *test_actions)?;
+            (plan::<Hil>(options), out, Some(budget))
+        }
     })
 }
 
-/// The item that a goal such as `+taste1` turns on.
-fn microworld_goal(text: &str) -> Result<ItemId, Impossible> {
-    let named = text.strip_prefix('+').and_then(item).ok_or_else(|| {
-        Impossible::new(format!(
-            "--goal takes + and an item (such as +hp22, +vp33, +vf12, +tactl, +hgr or +taste1), \
-             not {text:?}"
-        ))
-    })?;
-    let oracle = Oracle::new(Body::Visible);
-    let on = |state: &usize| oracle.items(*state).contains(named);
-    match (0..oracle.states().len()).filter(on).count() {
-        0 => Err(Impossible::new(format!(
-            "--goal {text}: nothing in the Microworld turns this item on"
-        ))),
-        all if all == oracle.states().len() => Err(Impossible::new(format!(
-            "--goal {text}: this item is always on"
-        ))),
-        _ => Ok(named),
-    }
-}
-
-fn budget(args: &BudgetArgs) -> Result<Budget, Impossible> {
-    Budget::new(&args.budget, &args.processor)
-}
-
-fn directory(args: &OutArgs, experiment: &str) -> PathBuf {
-    let default = || Path::new("runs").join(experiment);
-    args.out.clone().unwrap_or_else(default)
+fn plan<E: Experiment + std::fmt::Debug + 'static>(options: E::Options) -> Box<dyn Planned> {
+    Box::new(Plan::<E>(options))
 }
 
 /// The seeds of `A..B` (half-open) or `A`.
@@ -346,7 +226,7 @@ pub fn world(args: &WorldArgs) -> Result<WorldOptions, Impossible> {
 
 #[cfg(test)]
 mod tests {
-    use super::{microworld_goal, seeds, world};
+    use super::{seeds, world};
     use crate::cli::{SeedArgs, WorldArgs};
     use crate::failure::Impossible;
 
@@ -377,16 +257,6 @@ mod tests {
         ] {
             let sentence = read(wrong).unwrap_err().to_string();
             assert!(!sentence.contains('\n') && !sentence.is_empty(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn a_goal_is_an_item_that_comes_and_goes() {
-        assert!(microworld_goal("+hp22").is_ok() && microworld_goal("+taste1").is_ok());
-        for wrong in ["", "+", "hp22", "-hp22", "+nothing", "+fovx0", "+hp22+vp22"] {
-            let sentence = microworld_goal(wrong).unwrap_err().to_string();
-            assert!(!sentence.contains('\n'), "{wrong}: {sentence}");
-            assert!(sentence.starts_with("--goal"), "{wrong}: {sentence}");
         }
     }
 

@@ -4,9 +4,9 @@
 //! Every number must be the same to the last bit: runs are deterministic.
 
 use cla_core::agent::AgentConfig;
-use host_sim::experiment::calibrate;
-use host_sim::experiment::forage::{self, ForageOptions};
-use host_sim::progress::Progress;
+use host_sim::experiment::calibrate::{Calibrate, CalibrateOptions};
+use host_sim::experiment::forage::{Forage, ForageOptions};
+use host_sim::experiment::record::judged_again;
 use host_sim::report::Summary;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::setting::WorldOptions;
@@ -29,7 +29,7 @@ fn the_second_seed_of_the_foraging_run_lives_the_same_life_again() {
         actions: 10_000,
         test_actions: 3_000,
     };
-    let again = forage::run(&options, &Progress::hidden())
+    let again = judged_again::<Forage>(&options)
         .expect("the experiment runs")
         .summary;
     assert_eq!(again.parameters, committed.parameters);
@@ -43,7 +43,8 @@ fn the_second_seed_of_the_foraging_run_lives_the_same_life_again() {
 #[test]
 fn the_calibration_comes_out_as_committed() {
     let committed = committed(include_str!("../claims/calibrate.json"));
-    let again = calibrate::report::run(&Progress::hidden()).expect("the layouts are built in");
+    let again =
+        judged_again::<Calibrate>(&CalibrateOptions::standard()).expect("the layouts are built in");
     assert_eq!(again.summary.claims, committed.claims);
 }
 

@@ -10,8 +10,9 @@ use firmware_example::controller::{End, Heard, SafeStop, Wire, serve};
 use firmware_example::link::{Answer, Dropped, FRAME, Numbered, Order, Receiver, encode};
 use host_sim::device::board::{Build, section_bytes};
 use host_sim::device::target::Target;
-use host_sim::experiment::mcu::distant::Distant;
-use host_sim::experiment::mcu::hil;
+use host_sim::experiment::hil::distant::Distant;
+use host_sim::experiment::hil::{Hil, HilOptions, trial};
+use host_sim::experiment::record::judged_again;
 
 fn controller() -> PathBuf {
     let build = Build::new(Target::M4f, "controller");
@@ -26,10 +27,19 @@ fn frame(number: u32, message: Order) -> Vec<u8> {
 
 #[test]
 fn the_firmware_chooses_what_the_host_chooses_and_ends_up_knowing_the_same() {
-    let life = hil::run(Target::M4f, &controller(), 3, 600, 200).unwrap_or_else(|e| panic!("{e}"));
+    let life =
+        trial::run(Target::M4f, &controller(), 3, 600, 200).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!((life.choices, life.same), (1_400, 1_400));
     assert!(life.same_knowledge);
     assert!(life.round_trips > 2_800, "{life:?}");
+}
+
+#[test]
+fn a_life_in_the_loop_is_judged_the_same_when_it_was_written_down() {
+    let options = HilOptions::new(vec![5], 100, 50).expect("at least one action");
+    let results = judged_again::<Hil>(&options).unwrap_or_else(|e| panic!("{e}"));
+    let same = results.summary.find("mcu.hil.same").expect("a claim");
+    assert_eq!(same.met, Some(true));
 }
 
 #[test]
@@ -41,7 +51,7 @@ fn a_log_changes_nothing_of_the_life() {
     let logging = build.build().unwrap_or_else(|error| panic!("{error}"));
     let words = section_bytes(&logging, ".defmt").expect("a program");
     assert!(words > 10, "{words} formats are logged");
-    let life = hil::run(Target::M4f, &logging, 3, 200, 100).unwrap_or_else(|e| panic!("{e}"));
+    let life = trial::run(Target::M4f, &logging, 3, 200, 100).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!((life.choices, life.same), (500, 500));
     assert!(life.same_knowledge);
 }

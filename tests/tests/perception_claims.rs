@@ -3,10 +3,9 @@
 //! One seed of each is run again: runs are deterministic, so every claim's number of that seed must
 //! be the committed one to the last bit, on any machine.
 
-use host_sim::experiment::angle::{self, AngleConfig};
-use host_sim::experiment::causal;
-use host_sim::experiment::causal::network::CausalConfig;
-use host_sim::progress::Progress;
+use host_sim::experiment::angle::{Angle, AngleOptions};
+use host_sim::experiment::causal::{Causal, CausalOptions};
+use host_sim::experiment::record::judged_again;
 use host_sim::report::{Summary, Verdict};
 
 fn committed(text: &str) -> Summary {
@@ -43,19 +42,15 @@ fn assert_same_measurements(again: &Summary, committed: &Summary) {
 #[test]
 fn a_seed_of_the_causal_study_gives_the_committed_numbers() {
     let committed = committed(include_str!("../claims/causal.json"));
-    let study = causal::run(&[113], &CausalConfig::standard(), &Progress::hidden());
-    assert_same_measurements(&study.summary(), &committed);
+    let again = judged_again::<Causal>(&CausalOptions::standard(vec![113]));
+    assert_same_measurements(&again.expect("the study runs").summary, &committed);
 }
 
 #[test]
 fn three_seeds_of_the_angle_study_give_the_committed_numbers() {
     let committed = committed(include_str!("../claims/angle.json"));
-    let study = angle::run(
-        &[100, 107, 119],
-        &AngleConfig::STANDARD,
-        &Progress::hidden(),
-    );
-    assert_same_measurements(&study.summary(), &committed);
+    let again = judged_again::<Angle>(&AngleOptions::standard(vec![100, 107, 119]));
+    assert_same_measurements(&again.expect("the study runs").summary, &committed);
 }
 
 #[test]

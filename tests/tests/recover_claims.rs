@@ -2,9 +2,9 @@
 //!
 //! One seed meets two of the damages again; every number must be the same to the last bit.
 
+use host_sim::experiment::record::judged_again;
 use host_sim::experiment::recover::life::Protocol;
-use host_sim::experiment::recover::{self, RecoverOptions};
-use host_sim::progress::Progress;
+use host_sim::experiment::recover::{Recover, RecoverOptions};
 use host_sim::report::Summary;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::damage::Damage;
@@ -27,7 +27,7 @@ fn one_damaged_life_is_lived_the_same_again() {
         damages: vec![Damage::Camera(-12.0)],
         protocol: Protocol::STANDARD,
     };
-    let again = recover::run(&options, &Progress::hidden())
+    let again = judged_again::<Recover>(&options)
         .expect("the experiment runs")
         .summary;
     let mut compared = 0;

@@ -247,7 +247,7 @@ pub fn weights_file() -> PathBuf {
 }
 
 /// The largest estimate of a step so far, on each processor.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Load {
     worst: [f64; Target::ALL.len()],
 }

@@ -8,13 +8,15 @@ use super::summary::Summary;
 use super::table::{claims_text, table_text};
 
 /// The summary of a run with the figures drawn from it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Results {
     /// The record.
     pub summary: Summary,
     /// The instructions of the worst control step by the name of the processor; empty when no brain
     /// counted its steps.
     pub worst_ticks: Vec<(&'static str, u64)>,
+    /// What is told on the terminal before anything else.
+    pub story: Option<String>,
     /// A last line for the terminal.
     pub remark: Option<String>,
     /// Why the run has failed although it came to its end, in one sentence.
@@ -30,6 +32,7 @@ impl Results {
         Self {
             summary,
             worst_ticks: Vec::new(),
+            story: None,
             remark: None,
             over_budget: None,
             pictures: Vec::new(),
@@ -51,7 +54,7 @@ impl Results {
         self
     }
 
-    /// What the terminal shows: all tables, then the claims, then the last line.
+    /// What the terminal shows: the story, all tables, then the claims, then the last line.
     ///
     /// ```
     /// use host_sim::report::{Results, Summary, Table};
@@ -64,6 +67,9 @@ impl Results {
     #[must_use]
     pub fn text(&self) -> String {
         let mut text = String::new();
+        if let Some(story) = &self.story {
+            text.push_str(&format!("{story}\n"));
+        }
         for (title, table) in &self.summary.tables {
             text.push_str(&format!("{title}\n\n{}\n", table_text(table)));
         }

@@ -5,9 +5,10 @@
 //! A world is only built from a set that passes [`validate`](PioneerConfig::validate).
 
 use core::fmt;
+use serde::Serialize;
 
 /// What happens to the specimens that the gripper takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum AfterCapture {
     /// They are gone; the run is over when none is left (28 of 28).
     Removed,
@@ -16,7 +17,7 @@ pub enum AfterCapture {
 }
 
 /// Every number of the world that an experiment may vary.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct PioneerConfig {
     /// Radius of the round room, metres; 1 to 50, default 5.
     ///

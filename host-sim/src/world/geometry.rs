@@ -5,9 +5,10 @@
 //! Sines and cosines come from `libm`, so that a run has the same bits on every host.
 
 use core::f64::consts::{PI, TAU};
+use serde::Serialize;
 
 /// A place in the room, in metres; the room's centre is the origin.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Point {
     /// Metres along the room's x axis.
     pub x: f64,
@@ -37,7 +38,7 @@ impl Point {
 }
 
 /// Where the robot's centre of rotation is and where it looks.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Pose {
     /// The centre of rotation.
     pub position: Point,

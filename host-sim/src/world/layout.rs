@@ -8,6 +8,7 @@
 use core::fmt;
 
 use cla_core::num::Rng;
+use serde::Serialize;
 
 use super::body::SPECIMEN_RADIUS;
 use super::geometry::{Point, Pose};
@@ -22,7 +23,7 @@ pub const SPECIMEN_GAP: f64 = 0.3;
 const TRIES: u32 = 10_000;
 
 /// Where everything stands at the beginning.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Layout {
     /// The robot at the room's centre.
     pub robot: Pose,

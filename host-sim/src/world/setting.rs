@@ -1,5 +1,6 @@
 //! The setting of a life: the Pioneer's world as it can be built for any seed.
 
+use serde::Serialize;
 use std::fs;
 use std::path::Path;
 
@@ -9,7 +10,7 @@ use super::pioneer::Pioneer;
 use crate::failure::Impossible;
 
 /// A world that can be built for any seed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct WorldOptions {
     /// Its parameters.
     pub config: PioneerConfig,

@@ -8,57 +8,50 @@
 //! extension, to show that the layers serve a second domain.
 
 mod claims;
+mod figures;
 mod network;
+mod options;
 mod stimulus;
-pub mod trial;
+mod tables;
+mod trial;
 
 pub use network::{AngleConfig, Looking, Responses};
+pub use options::AngleOptions;
 pub use stimulus::{AngleStimulus, MIDPOINT_CHANNELS, ORIENTATION_CHANNELS};
+pub use trial::Trial;
 
-use crate::progress::Progress;
-use crate::report::figure::FigureError;
-use crate::report::{Results, Summary};
-use trial::{NETWORKS, SeedResult, run_seed};
+use super::plan::Experiment;
+use crate::failure::Failure;
+use crate::progress::Ticker;
+use crate::report::Results;
 
-/// The results of all seeds.
-#[derive(Clone, Debug)]
-pub struct Study {
-    config: AngleConfig,
-    results: Vec<SeedResult>,
-}
+/// The study.
+#[derive(Clone, Copy, Debug)]
+pub struct Angle;
 
-/// Runs the study for each seed, on all cores.
-#[must_use]
-pub fn run(seeds: &[u64], config: &AngleConfig, progress: &Progress) -> Study {
-    let results = progress.over("angles", seeds, NETWORKS, |&seed, ticker| {
-        run_seed(seed, config, || ticker.advance(1))
-    });
-    Study {
-        config: *config,
-        results,
-    }
-}
+impl Experiment for Angle {
+    type Options = AngleOptions;
+    type Case = u64;
+    type Trial = Trial;
 
-impl Study {
-    /// What was measured with each seed.
-    #[must_use]
-    pub fn results(&self) -> &[SeedResult] {
-        &self.results
+    const NAME: &'static str = "angle";
+    const PHASE: &'static str = "angles";
+
+    fn cases(options: &AngleOptions) -> Vec<u64> {
+        options.seeds.clone()
     }
 
-    /// Claims, tables and parameters.
-    #[must_use]
-    pub fn summary(&self) -> Summary {
-        claims::summary(&self.config, &self.results)
+    fn work(_: &AngleOptions) -> u64 {
+        trial::NETWORKS
     }
 
-    /// The summary and the figures.
-    ///
-    /// # Errors
-    /// [`FigureError`] when a figure cannot be drawn.
-    pub fn report(&self) -> Result<Results, FigureError> {
-        let mut results = Results::new(self.summary());
-        for (name, picture) in claims::figures(&self.results)? {
+    fn trial(options: &AngleOptions, &seed: &u64, ticker: &Ticker) -> Result<Trial, Failure> {
+        Ok(trial::run(seed, &options.config, || ticker.advance(1)))
+    }
+
+    fn judge(options: &AngleOptions, trials: &[Trial]) -> Result<Results, Failure> {
+        let mut results = Results::new(claims::summary(options, trials));
+        for (name, picture) in figures::all(trials)? {
             results = results.picture(name, picture);
         }
         Ok(results)

@@ -4,6 +4,7 @@
 
 use cla_core::layer::{Join, Layer, LayerConfig, Signal, Stack, Structure};
 use cla_core::num::{Rng, Schedule};
+use serde::{Deserialize, Serialize};
 
 use super::stimulus::{AngleStimulus, MIDPOINT_CHANNELS, ORIENTATION_CHANNELS};
 
@@ -15,7 +16,7 @@ pub(super) type Full = Stack<Join<Join<Orientation, Orientation>, Midpoints>, 8,
 pub(super) type OrientationOnly = Stack<Join<Orientation, Orientation>, 8, 8, 72>;
 
 /// All parameters of the angle study; angles in degrees.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct AngleConfig {
     /// Directions in which training shows the 45° angle, evenly around the circle.
     pub directions: u16,
@@ -80,7 +81,7 @@ impl AngleConfig {
 }
 
 /// What is answered to the three stimuli of Fig 2.1.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Looking {
     /// The 45° angle of habituation.
     pub habituated: f64,
@@ -91,7 +92,7 @@ pub struct Looking {
 }
 
 /// What one network answers, at both of its levels.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Responses {
     /// Novelty at the Top layer: the network's response.
     pub top: Looking,

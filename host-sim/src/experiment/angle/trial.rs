@@ -3,16 +3,17 @@
 //! Measures only; what the numbers mean is said in `claims`.
 
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
-use super::network::{AngleConfig, Full, Network, OrientationOnly, Responses};
+use super::network::{AngleConfig, Full, Network as _, OrientationOnly, Responses};
 use super::stimulus::AngleStimulus;
 
 /// Networks of a seed.
-pub const NETWORKS: u64 = 4;
+pub(super) const NETWORKS: u64 = 4;
 
 /// Everything that was measured with one seed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SeedResult {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Trial {
     /// The seed.
     pub seed: u64,
     /// Habituated only.
@@ -25,9 +26,9 @@ pub struct SeedResult {
     pub orientation_only: Responses,
 }
 
-/// Runs the study for one seed; `done` is called after each of its networks.
+/// Tries one seed; `done` is called after each of its networks.
 #[must_use]
-pub fn run_seed(seed: u64, config: &AngleConfig, done: impl Fn()) -> SeedResult {
+pub(super) fn run(seed: u64, config: &AngleConfig, done: impl Fn()) -> Trial {
     let direction = config.draw_direction(&mut Rng::stream(seed, 1));
     let habituation = AngleStimulus {
         direction,
@@ -48,7 +49,7 @@ pub fn run_seed(seed: u64, config: &AngleConfig, done: impl Fn()) -> SeedResult 
         done();
         responses
     };
-    SeedResult {
+    Trial {
         seed,
         young: count(Full::young(config, seed, &tests)),
         old: count(Full::old(config, seed, &tests, |_| true)),
@@ -56,3 +57,19 @@ pub fn run_seed(seed: u64, config: &AngleConfig, done: impl Fn()) -> SeedResult 
         orientation_only: count(OrientationOnly::old(config, seed, &tests, |_| true)),
     }
 }
+
+/// A number of each seed.
+pub(super) fn of(trials: &[Trial], measure: impl Fn(&Trial) -> f64) -> Vec<f64> {
+    trials.iter().map(measure).collect()
+}
+
+/// Which network of a seed.
+pub(super) type Network = fn(&Trial) -> &Responses;
+
+/// The networks of a seed, by the names in tables and figures.
+pub(super) const NAMED: [(&str, Network); 4] = [
+    ("young", |trial| &trial.young),
+    ("old", |trial| &trial.old),
+    ("old, A unseen", |trial| &trial.held_out),
+    ("old, no midpoints", |trial| &trial.orientation_only),
+];

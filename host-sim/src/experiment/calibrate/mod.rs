@@ -5,9 +5,53 @@
 //! captures.
 //! Percepts after an action are those after its reflexes, as in the Stage runs: counted before them
 //! P(s3 stays s3) would be .57 instead of .31 in the smallest room.
-//! `trial` runs, `yardstick` holds the Stage runs, `compare` judges.
+//! `trial` runs, `yardstick` holds the Stage runs, `compare`
+//! judges.
 
+mod claims;
 pub mod compare;
-pub mod report;
+mod figures;
+mod options;
+mod tables;
 pub mod trial;
 pub mod yardstick;
+
+pub use options::CalibrateOptions;
+pub use trial::{Condition, Row};
+
+use super::plan::Experiment;
+use crate::failure::Failure;
+use crate::progress::Ticker;
+use crate::report::Results;
+
+/// The experiment.
+#[derive(Clone, Copy, Debug)]
+pub struct Calibrate;
+
+impl Experiment for Calibrate {
+    type Options = CalibrateOptions;
+    type Case = Condition;
+    type Trial = Row;
+
+    const NAME: &'static str = "calibrate";
+    const PHASE: &'static str = "calibrating";
+
+    fn cases(options: &CalibrateOptions) -> Vec<Condition> {
+        options.conditions.clone()
+    }
+
+    fn trial(_: &CalibrateOptions, &it: &Condition, ticker: &Ticker) -> Result<Row, Failure> {
+        let row = trial::run_row(it)?;
+        ticker.advance(1);
+        Ok(row)
+    }
+
+    fn judge(_: &CalibrateOptions, rows: &[Row]) -> Result<Results, Failure> {
+        let found = compare::findings(rows);
+        let mut results = Results::new(claims::summary(&found));
+        for (name, picture) in figures::all(&found)? {
+            results = results.picture(name, picture);
+        }
+        Ok(results)
+    }
+}

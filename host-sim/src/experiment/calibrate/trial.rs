@@ -5,6 +5,7 @@
 
 use cla_core::num::Rng;
 use cla_core::word::ItemId;
+use serde::{Deserialize, Serialize};
 
 use super::yardstick::{LAYOUTS, RADII, Run, Stage, layout_text, stage_runs};
 use crate::baseline::lock::Lock;
@@ -23,7 +24,7 @@ pub const STEPS: [f64; 2] = [0.1, 0.5];
 pub const MOST_ACTIONS: u32 = 3000;
 
 /// A controller that drove Stage, and drives our robot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Driver {
     /// The visual servo; see [`Sector`].
     Sector,
@@ -56,14 +57,42 @@ impl Driver {
 }
 
 /// One condition: a controller in rooms of one radius with one step.
-#[derive(Clone, Debug)]
-pub struct Row {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Condition {
     /// The controller.
     pub driver: Driver,
-    /// Radius of the room, metres.
+    /// Radius of the rooms, metres.
     pub radius: u32,
     /// Forward step, metres.
     pub forward: f64,
+}
+
+impl Condition {
+    /// Every radius and step of a controller.
+    #[must_use]
+    pub fn all(driver: Driver) -> Vec<Self> {
+        let of = |radius| {
+            STEPS.map(|forward| Self {
+                driver,
+                radius,
+                forward,
+            })
+        };
+        RADII.into_iter().flat_map(of).collect()
+    }
+
+    /// As claim ids name it: `R5_f0_5`.
+    #[must_use]
+    pub fn id(&self) -> String {
+        format!("R{}_f{:.1}", self.radius, self.forward).replace('.', "_")
+    }
+}
+
+/// What was counted in one condition.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Row {
+    /// The condition.
+    pub condition: Condition,
     /// Our runs, one a layout.
     pub ours: Vec<Run>,
     /// Stage 1.3.4's runs on the first of the same layouts; none where it was not run.
@@ -72,19 +101,16 @@ pub struct Row {
     pub stage_4_3_0: Vec<Run>,
 }
 
-impl Row {
-    /// The condition as claim ids name it: `R5_f0_5`.
-    #[must_use]
-    pub fn condition(&self) -> String {
-        format!("R{}_f{:.1}", self.radius, self.forward).replace('.', "_")
-    }
-}
-
 /// Runs one controller in one condition on its ten layouts; the layout's number is the seed.
 ///
 /// # Errors
 /// [`PioneerError`] when a radius has no layouts that fit.
-pub fn run_row(driver: Driver, radius: u32, forward: f64) -> Result<Row, PioneerError> {
+pub fn run_row(condition: Condition) -> Result<Row, PioneerError> {
+    let Condition {
+        driver,
+        radius,
+        forward,
+    } = condition;
     let config = PioneerConfig::stage(f64::from(radius), forward);
     let mut ours = Vec::new();
     for number in 1..=LAYOUTS {
@@ -96,27 +122,11 @@ pub fn run_row(driver: Driver, radius: u32, forward: f64) -> Result<Row, Pioneer
         ours.push(run(&mut world, controller.as_mut(), &mut rng));
     }
     Ok(Row {
-        driver,
-        radius,
-        forward,
+        condition,
         ours,
         stage_1_3_4: stage_runs(Stage::V1_3_4, driver.name(), radius, forward),
         stage_4_3_0: stage_runs(Stage::V4_3_0, driver.name(), radius, forward),
     })
-}
-
-/// Every radius and step of a controller.
-///
-/// # Errors
-/// [`PioneerError`], as [`run_row`].
-pub fn run_all(driver: Driver) -> Result<Vec<Row>, PioneerError> {
-    let mut rows = Vec::new();
-    for radius in RADII {
-        for forward in STEPS {
-            rows.push(run_row(driver, radius, forward)?);
-        }
-    }
-    Ok(rows)
 }
 
 /// Lets a controller drive until nothing is left or the actions are used up, and counts.

@@ -2,6 +2,7 @@
 //!
 //! Source and meaning: `host-sim/data/stage/README.md`.
 
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 /// Radii of the rooms, metres.
@@ -34,7 +35,7 @@ pub fn layout_text(radius: u32, number: u32) -> Option<&'static str> {
 }
 
 /// What was counted in one run, in Stage or in our world.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Run {
     /// Captures of 28.
     pub captured: u32,

@@ -6,34 +6,35 @@ use serde_json::{Value, json};
 
 use super::measure::{Causality, Differences, SEPARATION_MARGIN, SPECIAL};
 use super::network::CausalConfig;
+use super::options::CausalOptions;
 use super::overload::{Reaction, TESTS};
 use super::tables;
-use super::trial::{Control, SeedResult, of};
+use super::trial::{Control, Trial, of};
 use crate::report::{Bound, Claim, Expectation, Rule, Summary, cohens_d, mean, sample_sd, welch_t};
 use crate::world::launching::{Event, Noise};
 
-pub(super) fn summary(config: &CausalConfig, results: &[SeedResult]) -> Summary {
-    let seeds: Vec<u64> = results.iter().map(|result| result.seed).collect();
-    let mut summary = Summary::new("causal", &seeds);
+pub(super) fn summary(options: &CausalOptions, trials: &[Trial]) -> Summary {
+    let CausalOptions { seeds, config } = options;
+    let mut summary = Summary::new("causal", seeds);
     parameters(&mut summary, config);
-    for claim in components(results)
+    for claim in components(trials)
         .into_iter()
-        .chain(causal_view(results))
-        .chain([stages(results)])
-        .chain(fallback(results))
-        .chain(controls(results))
+        .chain(causal_view(trials))
+        .chain([stages(trials)])
+        .chain(fallback(trials))
+        .chain(controls(trials))
     {
         summary.claim(claim);
     }
-    summary.table("differences at the Top layer", tables::differences(results));
-    summary.table("controls", tables::controls(results));
-    summary.table("special nodes of the Top layer", tables::special(results));
+    summary.table("differences at the Top layer", tables::differences(trials));
+    summary.table("controls", tables::controls(trials));
+    summary.table("special nodes of the Top layer", tables::special(trials));
     summary.table(
         "settled after this share of training",
-        tables::settled(results),
+        tables::settled(trials),
     );
-    summary.table("alarms by kind of event", tables::alarms(results));
-    summary.table("found by disturbed event", tables::found(results));
+    summary.table("alarms by kind of event", tables::alarms(trials));
+    summary.table("found by disturbed event", tables::found(trials));
     summary
 }
 
@@ -77,10 +78,10 @@ fn parameters(summary: &mut Summary, config: &CausalConfig) {
     summary.parameter("test events of each sort", TESTS);
 }
 
-fn components(results: &[SeedResult]) -> [Claim; 2] {
+fn components(trials: &[Trial]) -> [Claim; 2] {
     let margin = format!("seeds with a ratio of at least {SEPARATION_MARGIN}");
     let claim = |id: &str, what: &str, ratio: fn(&Causality) -> f64| {
-        let ratios = of(results, |result| ratio(&result.trained));
+        let ratios = of(trials, |trial| ratio(&trial.trained));
         let separates: Vec<bool> = ratios.iter().map(|&r| r >= SEPARATION_MARGIN).collect();
         Expectation::new(id, "4.3.2", margin.as_str())
             .rule(Rule::mean(Bound::AtLeast(0.9)))
@@ -106,8 +107,8 @@ fn components(results: &[SeedResult]) -> [Claim; 2] {
     ]
 }
 
-fn causal_view(results: &[SeedResult]) -> Vec<Claim> {
-    let nodes = of(results, |result| result.trained.special_nodes());
+fn causal_view(trials: &[Trial]) -> Vec<Claim> {
+    let nodes = of(trials, |trial| trial.trained.special_nodes());
     let share = |id: &str, section: &str, unit: String, least: f64, yes: Vec<bool>| {
         let claim = Expectation::new(id, section, unit);
         claim
@@ -122,8 +123,8 @@ fn causal_view(results: &[SeedResult]) -> Vec<Claim> {
     };
     let some = format!("seeds with nodes whose isolate is above {SPECIAL}");
     let none = format!("seeds without nodes whose isolate is above {SPECIAL}");
-    let pattern = of(results, |result| result.trained.has_full_pattern());
-    let differences = of(results, |result| result.trained.differences());
+    let pattern = of(trials, |trial| trial.trained.has_full_pattern());
+    let differences = of(trials, |trial| trial.trained.differences());
     let pick = |of: fn(&Differences) -> f64| -> Vec<f64> { differences.iter().map(of).collect() };
     let below = pick(|d| d.delay_gap);
     vec![
@@ -219,12 +220,12 @@ fn larger(id: &str, book: (f64, f64), least: f64, above: &[f64], below: &[f64]) 
         .judge_ratio(above, below)
 }
 
-fn stages(results: &[SeedResult]) -> Claim {
-    let last = of(results, |result| {
-        let [position, movement, top] = result.settled;
+fn stages(trials: &[Trial]) -> Claim {
+    let last = of(trials, |trial| {
+        let [position, movement, top] = trial.settled;
         top > position && top > movement
     });
-    let settled = |layer: usize| mean(&of(results, |result| result.settled[layer]));
+    let settled = |layer: usize| mean(&of(trials, |trial| trial.settled[layer]));
     Expectation::new(
         "causal.stages",
         "4.3.6",
@@ -241,9 +242,9 @@ fn stages(results: &[SeedResult]) -> Claim {
     .judge_share(&last)
 }
 
-fn fallback(results: &[SeedResult]) -> Vec<Claim> {
-    let noisy = |of_it: fn(&Reaction) -> f64| of(results, |r| of_it(&r.overload.noisy));
-    let clean = |of_it: fn(&Reaction) -> f64| of(results, |r| of_it(&r.overload.clean));
+fn fallback(trials: &[Trial]) -> Vec<Claim> {
+    let noisy = |of_it: fn(&Reaction) -> f64| of(trials, |r| of_it(&r.overload.noisy));
+    let clean = |of_it: fn(&Reaction) -> f64| of(trials, |r| of_it(&r.overload.clean));
     let detected = noisy(|reaction| reaction.rates.overloaded[2]);
     let false_alarms = clean(|reaction| reaction.rates.any);
     let both = detected
@@ -251,7 +252,7 @@ fn fallback(results: &[SeedResult]) -> Vec<Claim> {
         .zip(&false_alarms)
         .filter(|(d, f)| **d >= 0.95 && **f <= 0.05);
     let good = both.count();
-    let enough = good as f64 >= 0.95 * results.len() as f64;
+    let enough = good as f64 >= 0.95 * trials.len() as f64;
     let rule = Rule::judged(
         format!("detected >= 0.95 with false alarms <= 0.05 in 95 % of seeds ({good} here)"),
         enough,
@@ -277,10 +278,10 @@ fn fallback(results: &[SeedResult]) -> Vec<Claim> {
             .rule(Rule::mean(Bound::AtLeast(0.95)))
             .note("the book's trigger: the Top's total is below the minimum of late training")
             .judge(&noisy(|reaction| reaction.rates.literal[2])),
-        muted(results),
+        muted(trials),
     ];
     for (kind, noise) in Noise::ALL.into_iter().enumerate() {
-        let found = of(results, |result| result.overload.kinds[kind].rates.any);
+        let found = of(trials, |trial| trial.overload.kinds[kind].rates.any);
         let id = format!("causal.fallback.noise.{}", noise.id());
         claims.push(
             Expectation::new(id, "4.4", "share of disturbed events")
@@ -294,8 +295,8 @@ fn fallback(results: &[SeedResult]) -> Vec<Claim> {
 }
 
 /// Level 1 responds to the Noisy event and the Top layer hardly does (Fig 4.10).
-fn muted(results: &[SeedResult]) -> Claim {
-    let activation = |layer: usize| of(results, |r| r.overload.noisy.activation[layer]);
+fn muted(trials: &[Trial]) -> Claim {
+    let activation = |layer: usize| of(trials, |r| r.overload.noisy.activation[layer]);
     let [position, movement, top] = [0, 1, 2].map(activation);
     Expectation::new(
         "causal.fallback.muted",
@@ -311,29 +312,29 @@ fn muted(results: &[SeedResult]) -> Claim {
     .judge(&top)
 }
 
-fn controls(results: &[SeedResult]) -> [Claim; 4] {
+fn controls(trials: &[Trial]) -> [Claim; 4] {
     let nodes = |control: Control, event: Event| {
-        of(results, |result| {
-            control(result).special_nodes()[event as usize]
+        of(trials, |trial| {
+            control(trial).special_nodes()[event as usize]
         })
     };
-    let uniform = of(results, |result| {
-        let differences = result.uniform.differences();
+    let uniform = of(trials, |trial| {
+        let differences = trial.uniform.differences();
         differences.direct_delaygap / differences.delay_gap
     });
-    let delay = nodes(|result| &result.mostly_delay, Event::Delay);
-    let direct = nodes(|result| &result.mostly_delay, Event::Direct);
+    let delay = nodes(|trial| &trial.mostly_delay, Event::Delay);
+    let direct = nodes(|trial| &trial.mostly_delay, Event::Direct);
     let delay_is_special: Vec<bool> = delay
         .iter()
         .zip(&direct)
         .map(|(delay, direct)| *delay > 0 && delay > direct)
         .collect();
-    let reverse = mean(&of(results, |result| {
-        let differences = result.mostly_delay.differences();
+    let reverse = mean(&of(trials, |trial| {
+        let differences = trial.mostly_delay.differences();
         differences.direct_delaygap / differences.delay_gap
     }));
-    let none = of(results, |result| result.untrained.special_nodes() == [0; 4]);
-    let staged = of(results, |result| result.staged.has_full_pattern());
+    let none = of(trials, |trial| trial.untrained.special_nodes() == [0; 4]);
+    let staged = of(trials, |trial| trial.staged.has_full_pattern());
     [
         Expectation::new(
             "causal.control.uniform",

@@ -5,7 +5,7 @@
 use super::measure::Differences;
 use super::network::{LAYERS, View};
 use super::overload::{Reaction, Scores};
-use super::trial::SeedResult;
+use super::trial::Trial;
 use crate::report::figure::{Axes, Bar, FigureError, HeatMap, Picture, bar_chart, heat_maps, roc};
 use crate::world::launching::Event;
 
@@ -17,18 +17,18 @@ type Score = fn(&Scores) -> &Vec<f64>;
 
 type Figures = Vec<(&'static str, Picture)>;
 
-pub(super) fn all(results: &[SeedResult]) -> Result<Figures, FigureError> {
-    let Some(first) = results.first() else {
+pub(super) fn all(trials: &[Trial]) -> Result<Figures, FigureError> {
+    let Some(first) = trials.first() else {
         return Ok(Vec::new());
     };
     Ok(vec![
         ("composites_level1", level_1(first)?),
         ("composites_top", top(first)?),
-        ("differences", differences(results)?),
+        ("differences", differences(trials)?),
         ("stages", stages(first)?),
         ("noisy", noisy(first)?),
-        ("overload_roc", detectors(results)?),
-        ("controls", controls(results)?),
+        ("overload_roc", detectors(trials)?),
+        ("controls", controls(trials)?),
     ])
 }
 
@@ -89,11 +89,11 @@ fn largest<'a>(views: impl IntoIterator<Item = &'a View>) -> [f32; 3] {
 }
 
 /// A still event holds its nodes for steps on end; the root keeps the others visible beside them.
-fn level_1(result: &SeedResult) -> Result<Picture, FigureError> {
-    let largest = largest(&result.trained.views);
+fn level_1(trial: &Trial) -> Result<Picture, FigureError> {
+    let largest = largest(&trial.trained.views);
     let mut maps: [Vec<HeatMap>; 3] = Default::default();
     for event in Event::ALL {
-        let of_event = maps_of(result.trained.view(event), &event.to_string(), largest);
+        let of_event = maps_of(trial.trained.view(event), &event.to_string(), largest);
         for (row, mut map) in maps.iter_mut().zip(of_event) {
             map.values
                 .iter_mut()
@@ -105,14 +105,14 @@ fn level_1(result: &SeedResult) -> Result<Picture, FigureError> {
     let both: Vec<HeatMap> = position.into_iter().chain(movement).collect();
     let title = format!(
         "Level 1: activation composites, root of the share of the largest (seed {})",
-        result.seed
+        trial.seed
     );
     heat_maps(&title, 4, &both, Some((0.0, 1.0)))
 }
 
-fn top(result: &SeedResult) -> Result<Picture, FigureError> {
+fn top(trial: &Trial) -> Result<Picture, FigureError> {
     let composites = Event::ALL.map(|event| {
-        let nodes = result.trained.view(event).top.nodes();
+        let nodes = trial.trained.view(event).top.nodes();
         map(
             &format!("composite: {event}"),
             8,
@@ -121,7 +121,7 @@ fn top(result: &SeedResult) -> Result<Picture, FigureError> {
         )
     });
     let isolates = Event::ALL.map(|event| {
-        let isolate = result.trained.isolate(event);
+        let isolate = trial.trained.isolate(event);
         map(
             &format!("isolate: {event}"),
             8,
@@ -132,16 +132,16 @@ fn top(result: &SeedResult) -> Result<Picture, FigureError> {
     let maps: Vec<HeatMap> = composites.into_iter().chain(isolates).collect();
     let title = format!(
         "Top layer: composites and isolates, summed activation (seed {})",
-        result.seed
+        trial.seed
     );
     heat_maps(&title, 4, &maps, None)
 }
 
-fn differences(results: &[SeedResult]) -> Result<Picture, FigureError> {
+fn differences(trials: &[Trial]) -> Result<Picture, FigureError> {
     let bar = |label: &str, of: fn(&Differences) -> f64| {
-        let values: Vec<f64> = results
+        let values: Vec<f64> = trials
             .iter()
-            .map(|result| of(&result.trained.differences()))
+            .map(|trial| of(&trial.trained.differences()))
             .collect();
         Bar::mean_of(label, &values)
     };
@@ -154,7 +154,7 @@ fn differences(results: &[SeedResult]) -> Result<Picture, FigureError> {
     ];
     let title = format!(
         "Differences at the Top layer ({} seeds; lines: the book)",
-        results.len()
+        trials.len()
     );
     bar_chart(
         &Axes::new(&title, "", "times Delay – Gap, mean ± sd"),
@@ -162,19 +162,19 @@ fn differences(results: &[SeedResult]) -> Result<Picture, FigureError> {
     )
 }
 
-fn stages(result: &SeedResult) -> Result<Picture, FigureError> {
-    let last = result.stages.last().map_or(1, |stage| stage.event);
+fn stages(trial: &Trial) -> Result<Picture, FigureError> {
+    let last = trial.stages.last().map_or(1, |stage| stage.event);
     let moments = MOMENTS.map(|moment| u64::from(moment) * u64::from(last) / 6500);
     let mut maps = Vec::new();
     for (layer, (width, side)) in [(12, 2), (6, 4), (8, 3)].into_iter().enumerate() {
-        let end = result
+        let end = trial
             .stages
             .last()
             .map_or(&[][..], |stage| &stage.composites[layer]);
         let most = end.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
         for moment in moments {
             let near = |stage: &&super::measure::Stage| u64::from(stage.event).abs_diff(moment);
-            if let Some(stage) = result.stages.iter().min_by_key(near) {
+            if let Some(stage) = trial.stages.iter().min_by_key(near) {
                 let title = format!("{} {}", LAYERS[layer], stage.event);
                 let values = stage.composites[layer]
                     .iter()
@@ -185,28 +185,28 @@ fn stages(result: &SeedResult) -> Result<Picture, FigureError> {
     }
     let title = format!(
         "The Direct event after so many training events; 1 is the final largest (seed {})",
-        result.seed
+        trial.seed
     );
     heat_maps(&title, MOMENTS.len(), &maps, Some((0.0, 1.0)))
 }
 
-fn noisy(result: &SeedResult) -> Result<Picture, FigureError> {
-    let direct = result.trained.view(Event::Direct);
-    let largest = largest([direct, &result.noisy]);
+fn noisy(trial: &Trial) -> Result<Picture, FigureError> {
+    let direct = trial.trained.view(Event::Direct);
+    let largest = largest([direct, &trial.noisy]);
     let maps: Vec<HeatMap> = maps_of(direct, "Direct", largest)
         .into_iter()
-        .chain(maps_of(&result.noisy, "Noisy", largest))
+        .chain(maps_of(&trial.noisy, "Noisy", largest))
         .collect();
     let title = format!(
         "A Noisy event: composites, share of the largest (seed {})",
-        result.seed
+        trial.seed
     );
     heat_maps(&title, 3, &maps, Some((0.0, 1.0)))
 }
 
-fn detectors(results: &[SeedResult]) -> Result<Picture, FigureError> {
-    let pool = |reactions: fn(&SeedResult) -> &[Reaction], of: Score| -> Vec<f64> {
-        let reactions = results.iter().flat_map(reactions);
+fn detectors(trials: &[Trial]) -> Result<Picture, FigureError> {
+    let pool = |reactions: fn(&Trial) -> &[Reaction], of: Score| -> Vec<f64> {
+        let reactions = trials.iter().flat_map(reactions);
         reactions
             .flat_map(|reaction| of(&reaction.scores))
             .copied()
@@ -218,8 +218,8 @@ fn detectors(results: &[SeedResult]) -> Result<Picture, FigureError> {
         ("total activation (book)", |scores| &scores.literal),
     ];
     let pooled = scores.map(|(name, of)| {
-        let noisy = pool(|result| &result.overload.kinds, of);
-        let clean = pool(|result| std::slice::from_ref(&result.overload.clean), of);
+        let noisy = pool(|trial| &trial.overload.kinds, of);
+        let clean = pool(|trial| std::slice::from_ref(&trial.overload.clean), of);
         (name, noisy, clean)
     });
     let curves: Vec<(&str, &[f64], &[f64])> = pooled
@@ -229,12 +229,12 @@ fn detectors(results: &[SeedResult]) -> Result<Picture, FigureError> {
     roc("Overload of the Top layer, all kinds of noise", &curves)
 }
 
-fn controls(results: &[SeedResult]) -> Result<Picture, FigureError> {
-    let bar = |label: &str, network: fn(&SeedResult) -> &super::measure::Causality| {
-        let ratios: Vec<f64> = results
+fn controls(trials: &[Trial]) -> Result<Picture, FigureError> {
+    let bar = |label: &str, network: fn(&Trial) -> &super::measure::Causality| {
+        let ratios: Vec<f64> = trials
             .iter()
-            .map(|result| {
-                let differences = network(result).differences();
+            .map(|trial| {
+                let differences = network(trial).differences();
                 differences.direct_delaygap / differences.delay_gap
             })
             .collect();

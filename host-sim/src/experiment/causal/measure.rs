@@ -5,6 +5,7 @@
 //! Overload is measured in [`overload`](super::overload).
 
 use cla_core::layer::ActivationComposite;
+use serde::{Deserialize, Serialize};
 
 use super::network::{Causal, PerLayer, View};
 use crate::world::launching::Event;
@@ -23,7 +24,7 @@ const SETTLED: f32 = 1.0 / 3.0;
 const CHECKPOINTS: u32 = 65;
 
 /// What a network does over the four events, without jitter.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Causality {
     /// The views of [`Event::ALL`].
     pub views: [View; 4],
@@ -121,7 +122,7 @@ fn across_delay(difference: impl Fn(Event, Event) -> f32) -> f64 {
 }
 
 /// The composites of the Direct event at one moment of training.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stage {
     /// Training events before it.
     pub event: u32,

@@ -1,63 +1,54 @@
 //! Causal perception: a hierarchy learns what a launching is, in stages, and falls back (book, 4).
 //!
-//! [`run`] trains and tests one network a seed, with its controls, and returns a [`Study`]; the
-//! study gives the summary (claims and tables) and the figures.
+//! `network` is the hierarchy and its training, `measure` and `overload` are what is read off it,
+//! `trial` is one network with its controls, `claims` what is concluded.
 //! One parameter set, [`CausalConfig::standard`](network::CausalConfig::standard), serves all claims.
-//! Nothing here prints or writes files.
 
 mod claims;
 mod figures;
 pub mod measure;
 pub mod network;
+mod options;
 pub mod overload;
 mod tables;
-pub mod trial;
+mod trial;
 
-use crate::progress::Progress;
-use crate::report::figure::FigureError;
-use crate::report::{Results, Summary};
-use network::CausalConfig;
-use trial::{NETWORKS, SeedResult, run_seed};
+pub use options::CausalOptions;
+pub use trial::Trial;
 
-/// The results of all seeds.
-#[derive(Clone, Debug)]
-pub struct Study {
-    config: CausalConfig,
-    results: Vec<SeedResult>,
-}
+use super::plan::Experiment;
+use crate::failure::Failure;
+use crate::progress::Ticker;
+use crate::report::Results;
 
-/// Runs the experiment for each seed, on all cores.
-#[must_use]
-pub fn run(seeds: &[u64], config: &CausalConfig, progress: &Progress) -> Study {
-    let results = progress.over("causal perception", seeds, NETWORKS, |&seed, ticker| {
-        run_seed(seed, config, || ticker.advance(1))
-    });
-    Study {
-        config: *config,
-        results,
-    }
-}
+/// The experiment.
+#[derive(Clone, Copy, Debug)]
+pub struct Causal;
 
-impl Study {
-    /// What was measured with each seed.
-    #[must_use]
-    pub fn results(&self) -> &[SeedResult] {
-        &self.results
+impl Experiment for Causal {
+    type Options = CausalOptions;
+    type Case = u64;
+    type Trial = Trial;
+
+    const NAME: &'static str = "causal";
+    const PHASE: &'static str = "causal perception";
+
+    fn cases(options: &CausalOptions) -> Vec<u64> {
+        options.seeds.clone()
     }
 
-    /// Claims, tables and parameters.
-    #[must_use]
-    pub fn summary(&self) -> Summary {
-        claims::summary(&self.config, &self.results)
+    fn work(_: &CausalOptions) -> u64 {
+        trial::NETWORKS
     }
 
-    /// The summary and the figures; those of single networks show the first seed.
-    ///
-    /// # Errors
-    /// [`FigureError`] when a figure cannot be drawn.
-    pub fn report(&self) -> Result<Results, FigureError> {
-        let mut results = Results::new(self.summary());
-        for (name, picture) in figures::all(&self.results)? {
+    fn trial(options: &CausalOptions, &seed: &u64, ticker: &Ticker) -> Result<Trial, Failure> {
+        Ok(trial::run(seed, &options.config, || ticker.advance(1)))
+    }
+
+    /// Figures of single networks show the first seed.
+    fn judge(options: &CausalOptions, trials: &[Trial]) -> Result<Results, Failure> {
+        let mut results = Results::new(claims::summary(options, trials));
+        for (name, picture) in figures::all(trials)? {
             results = results.picture(name, picture);
         }
         Ok(results)

@@ -9,7 +9,9 @@ use cla_core::layer::overload::{
 };
 use cla_core::layer::{ActivationComposite, Join, Layer, LayerConfig, Stack, Structure};
 use cla_core::num::{Rng, Schedule};
+use serde::{Deserialize, Serialize};
 
+use crate::experiment::record::{floats, in_words};
 use crate::world::launching::{CELLS, Event, Frame, LaunchingConfig, MOVEMENT, Stimulus, stimuli};
 
 /// 12 × 12 nodes on 20 features.
@@ -26,7 +28,7 @@ pub type PerLayer<T> = [T; 3];
 pub const LAYERS: PerLayer<&str> = ["Position", "Movement", "Top"];
 
 /// All parameters of the causal experiment.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct CausalConfig {
     /// The events.
     pub launching: LaunchingConfig,
@@ -45,13 +47,14 @@ pub struct CausalConfig {
     /// From which share of training on the detectors take note.
     pub record_from: f32,
     /// The distance detector of each layer.
+    #[serde(serialize_with = "in_words")]
     pub detectors: PerLayer<MatchDistanceConfig>,
     /// The slack of each layer's table of transitions, in nodes; the Position layer has no table.
     pub order_slack: PerLayer<u8>,
 }
 
 /// When the levels train.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Training {
     /// All layers at every step (book, 3.2).
     Joint,
@@ -230,21 +233,28 @@ impl Watch {
 }
 
 /// What the layers and their detectors did over one event.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct View {
     /// The Position layer's activation composite.
+    #[serde(with = "nodes")]
     pub position: ActivationComposite<12, 12>,
     /// The Movement layer's.
+    #[serde(with = "nodes")]
     pub movement: ActivationComposite<6, 6>,
     /// The Top layer's.
+    #[serde(with = "nodes")]
     pub top: ActivationComposite<8, 8>,
     /// The largest strain of the distance detector of each layer; above 1 is overload.
+    #[serde(with = "floats")]
     pub distance: PerLayer<f32>,
     /// The largest strain of the book's minimum of each layer.
+    #[serde(with = "floats")]
     pub total: PerLayer<f32>,
     /// The largest strain of the tables of transitions; the Position layer has none.
+    #[serde(with = "floats")]
     pub order: PerLayer<f32>,
     /// The largest squared distance of the Top layer's best match.
+    #[serde(with = "floats")]
     pub farthest: f32,
     /// Steps of the event.
     pub steps: u32,
@@ -280,5 +290,34 @@ impl View {
         self.order[2] = self.order[2].max(top);
         self.farthest = self.farthest.max(responses[2].best_match.squared_distance);
         self.steps += 1;
+    }
+}
+
+/// Composites written down as the sums of their nodes.
+mod nodes {
+    use cla_core::layer::ActivationComposite;
+    use cla_core::som::Grid;
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer, const W: usize, const H: usize>(
+        it: &ActivationComposite<W, H>,
+        to: S,
+    ) -> Result<S::Ok, S::Error> {
+        it.nodes().as_slice().serialize(to)
+    }
+
+    pub(super) fn deserialize<'a, D: Deserializer<'a>, const W: usize, const H: usize>(
+        from: D,
+    ) -> Result<ActivationComposite<W, H>, D::Error> {
+        let sums = Vec::<f32>::deserialize(from)?;
+        let mut grid = Grid::<f32, W, H>::filled(0.0);
+        if sums.len() != grid.as_slice().len() {
+            return Err(D::Error::invalid_length(sums.len(), &"a sum for each node"));
+        }
+        grid.as_mut_slice().copy_from_slice(&sums);
+        let mut composite = ActivationComposite::new();
+        composite.add(&grid);
+        Ok(composite)
     }
 }

@@ -6,15 +6,17 @@
 
 use cla_core::layer::{Level, answering_level};
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
 use super::network::{Causal, PerLayer, View};
+use crate::experiment::record::floats;
 use crate::world::launching::{Event, Noise};
 
 /// New events of each sort that a network is tested on.
 pub const TESTS: u32 = 400;
 
 /// Shares of events, each in `[0, 1]`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Rates {
     /// Events in which the distance detector of each layer alarms.
     pub distance: PerLayer<f64>,
@@ -31,29 +33,33 @@ pub struct Rates {
 }
 
 /// What the Top layer's detectors measure of each event, for ROC curves.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Scores {
     /// The largest strain of the distance detector.
+    #[serde(with = "floats")]
     pub distance: Vec<f64>,
     /// The largest squared distance of a best match, as it is.
+    #[serde(with = "floats")]
     pub raw_distance: Vec<f64>,
     /// The largest strain of the book's minimum.
+    #[serde(with = "floats")]
     pub literal: Vec<f64>,
 }
 
 /// One sort of event and how the detectors took it.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Reaction {
     /// Shares of events.
     pub rates: Rates,
     /// Scores of events.
     pub scores: Scores,
     /// Mean activation of each layer a step, over that in clean Direct events.
+    #[serde(with = "floats")]
     pub activation: PerLayer<f64>,
 }
 
 /// Everything that section 4.4 asks of one network.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Overload {
     /// Clean events, drawn with the training shares.
     pub clean: Reaction,

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::measure::Differences;
 use super::network::{LAYERS, PerLayer};
 use super::overload::{Overload, Rates, Reaction};
-use super::trial::{Control, SeedResult, of};
+use super::trial::{Control, Trial, of};
 use crate::report::{Table, mean, sample_sd};
 use crate::world::launching::{Event, Noise};
 
@@ -18,10 +18,10 @@ fn rounded(value: f64) -> Value {
     json!((value * 1000.0).round() / 1000.0)
 }
 
-pub(super) fn differences(results: &[SeedResult]) -> Table {
+pub(super) fn differences(trials: &[Trial]) -> Table {
     let mut table = Table::new(&["events", "mean", "sd", "book mean", "book sd"]);
     let mut row = |name: &str, book: [Value; 2], of_it: fn(&Differences) -> f64| {
-        let values = of(results, |result| of_it(&result.trained.differences()));
+        let values = of(trials, |trial| of_it(&trial.trained.differences()));
         table.row([json!(name)].into_iter().chain(spread(&values)).chain(book));
     };
     let unknown = || [Value::Null, Value::Null];
@@ -36,7 +36,7 @@ pub(super) fn differences(results: &[SeedResult]) -> Table {
     table
 }
 
-pub(super) fn controls(results: &[SeedResult]) -> Table {
+pub(super) fn controls(trials: &[Trial]) -> Table {
     let mut table = Table::new(&[
         "network",
         "Direct–Delay+Gap / Delay–Gap",
@@ -55,16 +55,16 @@ pub(super) fn controls(results: &[SeedResult]) -> Table {
         ("untrained", |r| &r.untrained),
     ];
     for (name, network) in networks {
-        let differences = of(results, |result| network(result).differences());
+        let differences = of(trials, |trial| network(trial).differences());
         let below = mean(&differences.iter().map(|d| d.delay_gap).collect::<Vec<_>>());
         let ratio = |of: fn(&Differences) -> f64| {
             rounded(mean(&differences.iter().map(of).collect::<Vec<_>>()) / below)
         };
-        let pattern = of(results, |r| {
+        let pattern = of(trials, |r| {
             f64::from(u8::from(network(r).has_full_pattern()))
         });
         let nodes = |event: Event| {
-            rounded(mean(&of(results, |r| {
+            rounded(mean(&of(trials, |r| {
                 f64::from(network(r).special_nodes()[event as usize])
             })))
         };
@@ -80,25 +80,25 @@ pub(super) fn controls(results: &[SeedResult]) -> Table {
     table
 }
 
-pub(super) fn special(results: &[SeedResult]) -> Table {
+pub(super) fn special(trials: &[Trial]) -> Table {
     let mut table = Table::new(&["seed", "Direct", "Delay", "Gap", "Delay+Gap"]);
-    for result in results {
-        let nodes = result.trained.special_nodes().map(|count| json!(count));
-        table.row([json!(result.seed)].into_iter().chain(nodes));
+    for trial in trials {
+        let nodes = trial.trained.special_nodes().map(|count| json!(count));
+        table.row([json!(trial.seed)].into_iter().chain(nodes));
     }
     table
 }
 
-pub(super) fn settled(results: &[SeedResult]) -> Table {
+pub(super) fn settled(trials: &[Trial]) -> Table {
     let mut table = Table::new(&["layer", "mean", "sd"]);
     for (layer, name) in LAYERS.into_iter().enumerate() {
-        let shares = of(results, |result| result.settled[layer]);
+        let shares = of(trials, |trial| trial.settled[layer]);
         table.row([json!(name)].into_iter().chain(spread(&shares)));
     }
     table
 }
 
-pub(super) fn alarms(results: &[SeedResult]) -> Table {
+pub(super) fn alarms(trials: &[Trial]) -> Table {
     let mut table = Table::new(&[
         "events",
         "distance: Position",
@@ -113,7 +113,7 @@ pub(super) fn alarms(results: &[SeedResult]) -> Table {
         "Top",
     ]);
     let mut row = |name: String, reaction: &dyn Fn(&Overload) -> Reaction| {
-        let rates = of(results, |result| reaction(&result.overload).rates);
+        let rates = of(trials, |trial| reaction(&trial.overload).rates);
         let layers = |of_it: fn(&Rates) -> PerLayer<f64>| {
             [0, 1, 2].map(|layer| {
                 rounded(mean(
@@ -147,14 +147,11 @@ pub(super) fn alarms(results: &[SeedResult]) -> Table {
     table
 }
 
-pub(super) fn found(results: &[SeedResult]) -> Table {
+pub(super) fn found(trials: &[Trial]) -> Table {
     let mut table = Table::new(&["disturbance", "Direct", "Delay", "Gap", "Delay+Gap"]);
     for (kind, noise) in Noise::ALL.into_iter().enumerate() {
-        let found = [0, 1, 2, 3].map(|event| {
-            rounded(mean(&of(results, |result| {
-                result.overload.found[kind][event]
-            })))
-        });
+        let found = [0, 1, 2, 3]
+            .map(|event| rounded(mean(&of(trials, |trial| trial.overload.found[kind][event]))));
         table.row([json!(noise.to_string())].into_iter().chain(found));
     }
     table

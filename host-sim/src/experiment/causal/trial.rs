@@ -3,6 +3,7 @@
 //! Measures only; what the numbers mean is said in `claims`.
 
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
 use super::measure::{Causality, Stage, settled, train_with_stages};
 use super::network::{Causal, CausalConfig, PerLayer, Training, View};
@@ -10,7 +11,7 @@ use super::overload::Overload;
 use crate::world::launching::{Event, Noise};
 
 /// Networks trained for a seed: the one the claims are about, and three controls.
-pub const NETWORKS: u64 = 4;
+pub(super) const NETWORKS: u64 = 4;
 
 /// Training with equal shares of the four events.
 const EQUAL: [f32; 4] = [0.25; 4];
@@ -19,8 +20,8 @@ const EQUAL: [f32; 4] = [0.25; 4];
 const MOSTLY_DELAY: [f32; 4] = [0.05, 0.85, 0.05, 0.05];
 
 /// Everything that was measured with one seed.
-#[derive(Clone, Debug)]
-pub struct SeedResult {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Trial {
     /// The seed.
     pub seed: u64,
     /// The trained network on the four events.
@@ -44,16 +45,16 @@ pub struct SeedResult {
 }
 
 /// Which network of a seed a control is about.
-pub(super) type Control = fn(&SeedResult) -> &Causality;
+pub(super) type Control = fn(&Trial) -> &Causality;
 
 /// A number of each seed.
-pub(super) fn of<T>(results: &[SeedResult], measure: impl Fn(&SeedResult) -> T) -> Vec<T> {
-    results.iter().map(measure).collect()
+pub(super) fn of<T>(trials: &[Trial], measure: impl Fn(&Trial) -> T) -> Vec<T> {
+    trials.iter().map(measure).collect()
 }
 
-/// Runs the experiment for one seed; `done` is called after each of its networks.
+/// Tries one seed; `done` is called after each of its networks.
 #[must_use]
-pub fn run_seed(seed: u64, config: &CausalConfig, done: impl Fn()) -> SeedResult {
+pub(super) fn run(seed: u64, config: &CausalConfig, done: impl Fn()) -> Trial {
     let mut causal = Causal::new(config, seed);
     let untrained = Causality::of(&mut causal);
     let stages = train_with_stages(&mut causal);
@@ -70,7 +71,7 @@ pub fn run_seed(seed: u64, config: &CausalConfig, done: impl Fn()) -> SeedResult
         done();
         Causality::of(&mut causal)
     };
-    SeedResult {
+    Trial {
         seed,
         trained,
         settled: settled(&stages),

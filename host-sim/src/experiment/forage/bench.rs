@@ -7,6 +7,7 @@ use std::cell::Cell;
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::pioneer::{self, Brain};
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
 use super::options::ForageOptions;
 use crate::device::meter::Load;
@@ -20,7 +21,7 @@ use crate::world::pioneer::Pioneer;
 use crate::world::setting::WorldOptions;
 
 /// Captures of one controller in a test, both ways of counting.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Captures {
     /// With specimens that reappear elsewhere.
     pub replaced: u32,

@@ -1,23 +1,12 @@
-//! What is concluded from the trials: claims, tables and figures of the foraging experiment.
-
-use cla_core::forager::pioneer;
+//! What is concluded from the trials: the claims of the foraging experiment.
 
 use super::bench::Captures;
-use super::level2_claims;
-use super::options::{BOOK_SCHEMAS, ForageOptions, SNAPSHOT};
-use super::trial::{Found, Trial, of};
-use crate::failure::Failure;
-use crate::report::figure::{Axes, Line, Point, histogram, line_chart};
-use crate::report::{
-    Bound, Claim, Expectation, Results, Rule, Summary, Table, Verdict, mean, sample_sd, welch_t,
-};
+use super::options::{BOOK_SCHEMAS, ForageOptions};
+use super::trial::{Trial, last, of};
+use super::{level2_claims, tables};
+use crate::report::{Bound, Claim, Expectation, Rule, Summary, Verdict, mean, welch_t};
 
-/// Schemas listed for the first seed.
-const LISTED: usize = 16;
-/// Trials that make a schema worth listing.
-const PROVEN: u32 = 50;
-
-pub(super) fn results(options: &ForageOptions, trials: &[Trial]) -> Result<Results, Failure> {
+pub(super) fn summary(options: &ForageOptions, trials: &[Trial]) -> Summary {
     let mut summary = Summary::new("forage", &options.seeds);
     parameters(&mut summary, options);
     summary.claims = claims(trials);
@@ -28,17 +17,13 @@ pub(super) fn results(options: &ForageOptions, trials: &[Trial]) -> Result<Resul
             .iter_mut()
             .for_each(|claim| claim.verdict = Verdict::Extension);
     }
-    summary.table("1 captures in a test", captures_table(trials));
-    summary.table("2 most reliable schemas, first seed", schemas_table(trials));
-    summary.table("3 the brain", brain_table(trials));
-    Ok(Results::new(summary)
-        .picture("learning-curve", learning_curve(options, trials)?)
-        .picture("reliability-histogram", reliability_histogram(trials)?))
-}
-
-/// The last test of a seed: what training has come to.
-fn last(trial: &Trial) -> Captures {
-    trial.snapshots.last().copied().unwrap_or_default()
+    summary.table("1 captures in a test", tables::captures(trials));
+    summary.table(
+        "2 most reliable schemas, first seed",
+        tables::schemas(trials),
+    );
+    summary.table("3 the brain", tables::brain(trials));
+    summary
 }
 
 fn claims(trials: &[Trial]) -> Vec<Claim> {
@@ -217,100 +202,6 @@ fn baselines(trials: &[Trial]) -> Vec<Claim> {
     all
 }
 
-fn captures_table(trials: &[Trial]) -> Table {
-    let mut table = Table::new(&["controller", "replaced", "sd", "of 28", "sd "]);
-    let mut row = |name: &str, score: &dyn Fn(&Trial) -> Captures| {
-        let replaced = of(trials, |t| f64::from(score(t).replaced));
-        let removed = of(trials, |t| f64::from(score(t).removed));
-        let cells = [
-            mean(&replaced),
-            sample_sd(&replaced),
-            mean(&removed),
-            sample_sd(&removed),
-        ];
-        let mut line = vec![name.into()];
-        line.extend(cells.map(serde_json::Value::from));
-        table.row(line);
-    };
-    row("CLA, level 1 (ours)", &last);
-    row("CLA, level 1, 20,000 actions", &|t| t.second.level1);
-    row("CLA, levels 1 and 2, 20,000 actions", &|t| t.second.level2);
-    row("CLA, levels 1 and 2 without habits", &|t| t.apart.level2);
-    row("CLA, level 1 with habits", &|t| t.apart.habits);
-    row("CLA, level 2 from SOMs, 20,000 actions", &|t| {
-        t.harvested.counters
-    });
-    row("CLA, level 2 from SOMs, read with the cut", &|t| {
-        t.harvested.cut
-    });
-    row("CLA, ours with the book's choice rule", &|t| {
-        t.lexicographic
-    });
-    row("CLA, all as the book says", &|t| t.book);
-    row("servo `sector` (Stage)", &|t| t.sector);
-    row("servo `sector`, learner's percept", &|t| t.sector_nearest);
-    row("random", &|t| t.random);
-    row("CLA, level 1, noise-free world", &|t| t.noise_free);
-    row("servo `sector`, noise-free world", &|t| t.noise_free_sector);
-    row("CLA, level 1, noise-free, 20,000", &|t| {
-        t.second_noise_free.level1
-    });
-    row("CLA, levels 1 and 2, noise-free, 20,000", &|t| {
-        t.second_noise_free.level2
-    });
-    row("CLA, level 1, room of 12 m, 20,000", &|t| {
-        t.second_large.level1
-    });
-    row("CLA, levels 1 and 2, room of 12 m, 20,000", &|t| {
-        t.second_large.level2
-    });
-    table.row([
-        "the book's level 1 (6.2.5)".into(),
-        serde_json::Value::Null,
-        serde_json::Value::Null,
-        20.4.into(),
-        1.53.into(),
-    ]);
-    table
-}
-
-fn schemas_table(trials: &[Trial]) -> Table {
-    let mut table = Table::new(&["schema", "reliability", "trials"]);
-    let says_something = |found: &&Found| found.activations >= PROVEN && !found.text.ends_with('/');
-    let proven = trials
-        .iter()
-        .take(1)
-        .flat_map(|t| t.found.iter().filter(says_something));
-    let mut proven: Vec<&Found> = proven.collect();
-    proven.sort_by(|a, b| b.reliability.total_cmp(&a.reliability));
-    for found in proven.into_iter().take(LISTED) {
-        table.row([
-            found.text.clone().into(),
-            found.reliability.into(),
-            found.activations.into(),
-        ]);
-    }
-    table
-}
-
-fn brain_table(trials: &[Trial]) -> Table {
-    let mut table = Table::new(&["what", "how much"]);
-    table.row(["bytes of RAM, all static".into(), pioneer::RAM.into()]);
-    table.row([
-        "synthetic items, mean".into(),
-        mean(&of(trials, |t| t.insight.items)).into(),
-    ]);
-    table.row([
-        "counters of beliefs, mean".into(),
-        mean(&of(trials, |t| t.insight.beliefs)).into(),
-    ]);
-    let schemas = of(trials, |t| t.reliabilities.len() as f64);
-    table.row(["schemas, mean over the seeds".into(), mean(&schemas).into()]);
-    let training = of(trials, |t| f64::from(t.training_captures));
-    table.row(["captures while training".into(), mean(&training).into()]);
-    table
-}
-
 fn parameters(summary: &mut Summary, options: &ForageOptions) {
     let world = &options.world.config;
     summary.parameter("radius", world.radius);
@@ -329,54 +220,4 @@ fn parameters(summary: &mut Summary, options: &ForageOptions) {
     summary.parameter("actions", options.actions);
     summary.parameter("test_actions", options.test_actions);
     summary.parameter("brain", format!("{:?}", options.brain));
-}
-
-fn learning_curve(
-    options: &ForageOptions,
-    trials: &[Trial],
-) -> Result<crate::report::figure::Picture, Failure> {
-    let points = |score: &dyn Fn(&Captures) -> u32| -> Vec<Point> {
-        (0..=options.actions / SNAPSHOT)
-            .map(|snapshot| {
-                let seeds: Vec<f64> = trials
-                    .iter()
-                    .filter_map(|t| t.snapshots.get(snapshot as usize))
-                    .map(|captures| f64::from(score(captures)))
-                    .collect();
-                Point::mean_of(f64::from(snapshot * SNAPSHOT), &seeds)
-            })
-            .collect()
-    };
-    // What does not learn is as good at the end as at the beginning.
-    let level = |name: &str, score: fn(&Trial) -> Captures| {
-        let seeds = of(trials, |t| f64::from(score(t).replaced));
-        let ends = [0.0, f64::from(options.actions)];
-        Line::new(name, ends.map(|x| Point::mean_of(x, &seeds)).to_vec())
-    };
-    let lines = [
-        Line::new("CLA, level 1", points(&|c| c.replaced)),
-        level("servo, learner's percept", |t| t.sector_nearest),
-        level("servo of the Stage runs", |t| t.sector),
-        level("random", |t| t.random),
-    ];
-    let axes = Axes::new(
-        "Foraging: what the knowledge of each moment is worth",
-        "actions of training",
-        "captures in 3000 actions",
-    );
-    Ok(line_chart(&axes, &lines)?)
-}
-
-fn reliability_histogram(trials: &[Trial]) -> Result<crate::report::figure::Picture, Failure> {
-    let values: Vec<f64> = trials
-        .iter()
-        .take(1)
-        .flat_map(|t| t.reliabilities.clone())
-        .collect();
-    let axes = Axes::new(
-        "Reliability of the level-1 schemas, first seed (Fig 6.6)",
-        "successes / activations",
-        "schemas",
-    );
-    Ok(histogram(&axes, &values, 20)?)
 }

@@ -3,6 +3,7 @@
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::pioneer;
 use cla_core::level2::{Reading, SomLevelConfig};
+use serde::{Deserialize, Serialize};
 
 use super::bench::{Bench, Captures, fresh};
 use super::level2_schemas::{Finding, findings};
@@ -14,7 +15,7 @@ use crate::world::config::AfterCapture;
 use crate::world::setting::WorldOptions;
 
 /// What a second level harvested from Action SOMs collects (see `som_level2`).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Harvested {
     /// Its nodes count how often items were on.
     pub counters: Captures,

@@ -7,6 +7,7 @@
 use cla_core::forager::pioneer::VOCABULARY;
 use cla_core::knowledge::SyntheticId;
 use cla_core::word::{NotationError, SchemaText};
+use serde::{Deserialize, Serialize};
 use statrs::distribution::{Binomial, DiscreteCDF};
 
 use super::measure::record_of;
@@ -79,7 +80,7 @@ pub const CLEARLY: f64 = 0.05;
 pub const LEAST: u64 = 2;
 
 /// What a forager knows of a printed schema.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// Occasions on which the item was verified after the schema, the newest weighing most.
     pub tried: f64,

@@ -5,9 +5,10 @@
 
 use cla_core::knowledge::{KnowledgeBase, SchemaId};
 use cla_core::word::{SchemaText, SignedItems};
+use serde::{Deserialize, Serialize};
 
 /// The record of all stored schemas that the book would print the same way.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Stored schemas that read so.
     pub schemas: u32,

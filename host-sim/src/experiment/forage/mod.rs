@@ -1,10 +1,12 @@
 //! Foraging: a Pioneer learns to collect specimens from one valued item (book, 6.2).
 //!
-//! `trial` is one seed of the experiment, `measure` what a knowledge base says about the book's
-//! schemas, `second` the second level on trial, `claims` what is concluded from all seeds.
+//! `trial` is one seed of the experiment with `bench` for what its parts share, `measure` what a
+//! knowledge base says about the book's schemas, `second` and `harvested` the second level on trial
+//! in its two forms, `claims` what is concluded from all seeds.
 
 pub mod bench;
 mod claims;
+mod figures;
 pub mod harvested;
 mod level2_claims;
 pub mod level2_schemas;
@@ -12,25 +14,48 @@ pub mod measure;
 mod options;
 pub mod second;
 pub mod som_level2;
-pub mod trial;
+mod tables;
+mod trial;
 
+pub use options::{BOOK_SCHEMAS, BookSchema, ForageOptions, SNAPSHOT};
+pub use trial::{Found, Trial};
+
+use super::plan::Experiment;
 use crate::device::meter::Load;
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::Ticker;
 use crate::report::Results;
-pub use options::{BOOK_SCHEMAS, BookSchema, ForageOptions, SNAPSHOT};
 
-/// Runs all seeds, judges the claims and draws the figures.
-///
-/// # Errors
-/// [`Failure`] when a world cannot be built for one of the seeds or a figure cannot be drawn.
-pub fn run(options: &ForageOptions, progress: &Progress) -> Result<Results, Failure> {
-    let job = |&seed: &u64, ticker: &_| trial::run(options, seed, ticker);
-    let trials = progress
-        .over("foraging", &options.seeds, trial::work(options), job)
-        .into_iter()
-        .collect::<Result<Vec<_>, _>>()?;
-    let mut results = claims::results(options, &trials)?;
-    results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
-    Ok(results)
+/// The experiment.
+#[derive(Clone, Copy, Debug)]
+pub struct Forage;
+
+impl Experiment for Forage {
+    type Options = ForageOptions;
+    type Case = u64;
+    type Trial = Trial;
+
+    const NAME: &'static str = "forage";
+    const PHASE: &'static str = "foraging";
+
+    fn cases(options: &ForageOptions) -> Vec<u64> {
+        options.seeds.clone()
+    }
+
+    fn work(options: &ForageOptions) -> u64 {
+        trial::work(options)
+    }
+
+    fn trial(options: &ForageOptions, &seed: &u64, ticker: &Ticker) -> Result<Trial, Failure> {
+        trial::run(options, seed, ticker)
+    }
+
+    fn judge(options: &ForageOptions, trials: &[Trial]) -> Result<Results, Failure> {
+        let mut results = Results::new(claims::summary(options, trials));
+        for (name, picture) in figures::all(options, trials)? {
+            results = results.picture(name, picture);
+        }
+        results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
+        Ok(results)
+    }
 }

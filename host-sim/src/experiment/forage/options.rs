@@ -1,8 +1,11 @@
 //! What the foraging experiment varies, and the schemas of the book that it looks for.
 
 use cla_core::agent::AgentConfig;
+use serde::Serialize;
 
-use crate::world::config::PioneerConfig;
+use crate::experiment::record::in_words;
+use crate::failure::Impossible;
+use crate::world::config::{AfterCapture, PioneerConfig};
 use crate::world::setting::WorldOptions;
 
 /// Actions of training between two tests (book, 6.2.4).
@@ -24,13 +27,14 @@ pub const BOOK_SCHEMAS: [BookSchema; 8] = [
 ];
 
 /// What is varied.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ForageOptions {
     /// The seeds.
     pub seeds: Vec<u64>,
     /// The world of training and tests.
     pub world: WorldOptions,
     /// The learner.
+    #[serde(serialize_with = "in_words")]
     pub brain: AgentConfig,
     /// Actions of training, a multiple of 1000 (book: 10,000).
     pub actions: u32,
@@ -39,6 +43,40 @@ pub struct ForageOptions {
 }
 
 impl ForageOptions {
+    /// The standard learner in a world; all that can be checked without running is.
+    ///
+    /// # Errors
+    /// [`Impossible`] for the first thing that cannot be.
+    pub fn new(
+        seeds: Vec<u64>,
+        world: WorldOptions,
+        actions: u32,
+        test_actions: u32,
+    ) -> Result<Self, Impossible> {
+        if actions == 0 || !actions.is_multiple_of(SNAPSHOT) {
+            return Err(Impossible::new(
+                "--actions must be a multiple of 1000, at least 1000",
+            ));
+        }
+        if test_actions == 0 {
+            return Err(Impossible::new("--test-actions must be at least 1"));
+        }
+        if world.config.after_capture == AfterCapture::Removed {
+            let sentence = "--removed does not go with forage: it tests both ways of counting";
+            return Err(Impossible::new(sentence));
+        }
+        for &seed in &seeds {
+            world.build(seed)?;
+        }
+        Ok(Self {
+            seeds,
+            world,
+            brain: AgentConfig::FORAGER,
+            actions,
+            test_actions,
+        })
+    }
+
     /// Whether this is another world, learner or length than the one that the claims are about.
     #[must_use]
     pub fn is_varied(&self) -> bool {

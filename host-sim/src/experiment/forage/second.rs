@@ -10,6 +10,7 @@ use cla_core::forager::pioneer::Brain;
 use cla_core::knowledge::Estimate;
 use cla_core::level2::Level2Config;
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
 use super::bench::{Bench, Captures};
 use super::options::ForageOptions;
@@ -23,7 +24,7 @@ const LEVEL1_GREEDY: f32 = 0.8;
 pub const LARGE: f64 = 12.0;
 
 /// What two brains of the same childhood collect.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Pair {
     /// Level 1 alone.
     pub level1: Captures,
@@ -32,7 +33,7 @@ pub struct Pair {
 }
 
 /// What the second level and habits bring, each without the other, after the same childhood.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ablation {
     /// The second level without habits.
     pub level2: Captures,
@@ -82,7 +83,7 @@ fn level1_alone(options: &ForageOptions) -> AgentConfig {
 }
 
 /// What is known of the second level of one brain.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Insight {
     /// Share of the predictions in the second half of training that came true: said before.
     pub prospective: f64,

@@ -9,6 +9,7 @@ use cla_core::choice::{ChoiceRule, ValueConfig};
 use cla_core::forager::pioneer::{Brain, Item, VOCABULARY};
 use cla_core::knowledge::{Estimate, SchemaId};
 use cla_core::word::{Detail, ItemId, SchemaText};
+use serde::{Deserialize, Serialize};
 
 use super::bench::{Bench, Captures, born};
 use super::harvested::{Harvested, harvested};
@@ -27,7 +28,7 @@ use crate::world::pioneer::Pioneer;
 use crate::world::setting::WorldOptions;
 
 /// A schema of the first brain, for the table of what was learned.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Found {
     /// In the book's notation, positive items only.
     pub text: String,
@@ -38,7 +39,7 @@ pub struct Found {
 }
 
 /// Everything measured for one seed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trial {
     /// Tests of the knowledge after 0, 1000, 2000 … actions of training.
     pub snapshots: Vec<Captures>,
@@ -88,7 +89,7 @@ pub struct Trial {
 
 /// How many actions one seed takes, for the progress bar.
 #[must_use]
-pub fn work(options: &ForageOptions) -> u64 {
+pub(super) fn work(options: &ForageOptions) -> u64 {
     let tests = u64::from(options.actions / SNAPSHOT + 1) + 7 + 6 + 3 + 2;
     u64::from(options.actions) * 21 + tests * 2 * u64::from(options.test_actions)
 }
@@ -97,7 +98,7 @@ pub fn work(options: &ForageOptions) -> u64 {
 ///
 /// # Errors
 /// [`Failure`] when a world cannot be built or the brain's configuration cannot work.
-pub fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial, Failure> {
+pub(super) fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result<Trial, Failure> {
     let bench = Bench {
         options,
         seed,
@@ -226,4 +227,9 @@ fn found(brain: &Brain) -> Vec<Found> {
 /// A number of each seed.
 pub(super) fn of(trials: &[Trial], number: impl Fn(&Trial) -> f64) -> Vec<f64> {
     trials.iter().map(number).collect()
+}
+
+/// The last test of a seed: what training has come to.
+pub(super) fn last(trial: &Trial) -> Captures {
+    trial.snapshots.last().copied().unwrap_or_default()
 }

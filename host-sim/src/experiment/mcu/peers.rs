@@ -11,6 +11,7 @@ use std::{env, fs};
 
 use cla_core::num::{Neighbourhood, Rng};
 use cla_core::som::{BinarySom, Grid, SparseStimulus, best_match};
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::device::board::{Printed, folder};
@@ -51,7 +52,7 @@ const SIGMA: f32 = 3.0;
 const ALPHA: f32 = 0.5;
 
 /// CPU seconds of a training and the quantization error after it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trained {
     /// CPU seconds of all steps.
     pub seconds: f64,
@@ -60,7 +61,7 @@ pub struct Trained {
 }
 
 /// The three maps on the same stimuli.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Race {
     /// Ours.
     pub binary: Trained,

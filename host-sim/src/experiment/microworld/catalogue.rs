@@ -7,6 +7,7 @@
 //! Level-2 equations (5.33–5.36) are judged where level 2 is (see `level2`).
 
 use cla_core::word::SchemaText;
+use serde::{Deserialize, Serialize};
 
 use crate::world::microworld::{Oracle, VOCABULARY, WORDS};
 
@@ -88,7 +89,7 @@ pub fn equations() -> Vec<Equation> {
 }
 
 /// Whether a brain has an equation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Found {
     /// It says nothing of the kind, or only what is not reliable.
     Missed,

@@ -1,11 +1,14 @@
 //! The claims of chapter 5, each with its rule, judged on all trials.
 
 use super::catalogue::{Found, equations};
-use super::goals::GOALS;
-use super::level2::Level2;
-use super::synthetic::Findings;
-use super::trial::{BOUNDED_STEPS, DRESCHER_STEPS, Growth, Trial};
-use crate::report::{Bound, Claim, Expectation, Rule, mean};
+use super::goals::{GOALS, STEP_LIMIT};
+use super::level2::{self, Level2};
+use super::options::MicroworldOptions;
+use super::synthetic::{self, Findings};
+use super::tables;
+use super::trial::{BELIEVED_TRIALS, BOUNDED_STEPS, DRESCHER_STEPS, Growth, SLIP, STEPS, Trial};
+use crate::report::{Bound, Claim, Expectation, Rule, Summary, mean};
+use crate::world::microworld::{Body, Oracle};
 
 /// A part of a claim's id, its unit, and where a moment of growth has the number.
 type Quantity = (&'static str, &'static str, fn(&Growth) -> f64);
@@ -16,14 +19,37 @@ type Attempts = fn(&Trial) -> &Vec<f64>;
 /// An equation's number, the seeds of twenty that must have it, and whether level 2 does.
 type Finding = (&'static str, u32, fn(&Level2) -> bool);
 
+pub(super) fn summary(options: &MicroworldOptions, trials: &[Trial]) -> Summary {
+    let mut summary = Summary::new("microworld", &options.seeds);
+    summary.parameter("body", "visible");
+    summary.parameter("steps", STEPS);
+    summary.parameter("maps", "10 x 10");
+    summary.parameter("slip", f64::from(SLIP));
+    summary.parameter("goal steps", STEP_LIMIT);
+    summary.parameter("samples of a composite action", level2::SAMPLES);
+    summary.parameter("believed after trials", BELIEVED_TRIALS);
+    summary.parameter(
+        "composite actions labelled in hindsight",
+        synthetic::COMPOSITES,
+    );
+    summary.parameter("an item believed after trials", synthetic::TRIALS);
+    summary.claims = claims(trials);
+    let oracle = Oracle::new(Body::Visible);
+    summary.table("equations 5.4 to 5.32", tables::catalogue(trials, &oracle));
+    summary.table("recall by family, 100,000 steps", tables::families(trials));
+    summary.table("growth", tables::growth(trials));
+    summary.table("persistent objects", tables::believed(trials));
+    summary.table("memory", tables::memory());
+    summary
+}
+
 /// Everything that the experiment claims.
-#[must_use]
-pub fn claims(trials: &[Trial]) -> Vec<Claim> {
+fn claims(trials: &[Trial]) -> Vec<Claim> {
     let mut claims = book_form(trials);
     claims.extend(simplified(trials));
     claims.extend(goals(trials));
-    claims.extend(level2(trials));
-    claims.extend(synthetic(trials));
+    claims.extend(second_level(trials));
+    claims.extend(persistent(trials));
     claims.extend(head_to_head(trials));
     claims
 }
@@ -202,7 +228,7 @@ fn goals(trials: &[Trial]) -> Vec<Claim> {
     claims
 }
 
-fn level2(trials: &[Trial]) -> Vec<Claim> {
+fn second_level(trials: &[Trial]) -> Vec<Claim> {
     let count = |id: &str, unit: &str, bound: f64, of: fn(&Level2) -> u32| {
         at_least(id, "5.4.3", unit, bound).judge(&numbers(trials, |it| f64::from(of(&it.level2))))
     };
@@ -241,7 +267,7 @@ fn level2(trials: &[Trial]) -> Vec<Claim> {
     claims
 }
 
-fn synthetic(trials: &[Trial]) -> Vec<Claim> {
+fn persistent(trials: &[Trial]) -> Vec<Claim> {
     let schemas = "schemas with an item of another action in the result";
     let of = |of: fn(&Findings) -> f64| numbers(trials, move |it| of(&it.synthetic));
     vec![

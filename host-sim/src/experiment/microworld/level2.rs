@@ -11,6 +11,7 @@ use cla_core::map::{
 };
 use cla_core::num::{Rng, Schedule};
 use cla_core::word::{ActionId, ItemId, ItemStates};
+use serde::{Deserialize, Serialize};
 
 use super::goals::{Chains, Course, goal, pursue};
 use super::level1::{ITEM_COUNT, Life, Step, training};
@@ -38,7 +39,7 @@ pub type Memory = Accommodation<WORDS, 512, 1024, 19>;
 /// let it = host_sim::experiment::microworld::level2::Level2::default();
 /// assert_eq!(it.palpable, 0);
 /// ```
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Level2 {
     /// Palpable objects, `/<+hp21>/+hp21+tactl`, of 24.
     pub palpable: u32,
@@ -61,8 +62,8 @@ pub struct Level2 {
     /// Attempts, and those that reached their goal.
     pub attempts: (u32, u32),
     /// What the maps of touch and of vision say may be found where a composite action ends, and may
-    /// not be: the composite action's place in [`GOALS`], and the item.
-    pub objects: Vec<(usize, ItemId)>,
+    /// not be: the composite action's place in [`GOALS`], and the number of the item.
+    pub objects: Vec<(usize, u16)>,
 }
 
 /// Runs the composite actions with the schemas of level 1 and learns from their successes; each
@@ -294,11 +295,7 @@ fn results_of(samples: &[Vec<Step>], mode: &Items, rng: &mut Rng) -> Vec<Vec<Ite
 
 /// The results `/<goal>/+item` that the maps' nodes have among `items` and that come in fewer than
 /// nine of ten samples, the goals of one hand or eye position only.
-fn unreliable(
-    results: &[Vec<Items>],
-    items: &Items,
-    samples: &[Vec<Step>],
-) -> Vec<(usize, ItemId)> {
+fn unreliable(results: &[Vec<Items>], items: &Items, samples: &[Vec<Step>]) -> Vec<(usize, u16)> {
     let mut found = Vec::new();
     for (composite, (results, samples)) in results.iter().zip(samples).enumerate().take(18) {
         let goal = item(GOALS[composite]).expect("a goal is an item");
@@ -306,7 +303,7 @@ fn unreliable(
             let said = |result: &Items| result.contains(goal) && result.contains(item);
             let comes = samples.iter().filter(|it| it.after.contains(item)).count();
             if results.iter().any(said) && 10 * comes < 9 * samples.len() {
-                found.push((composite, item));
+                found.push((composite, item.0));
             }
         }
     }

@@ -11,6 +11,7 @@ use cla_core::growth::{
 };
 use cla_core::num::Rng;
 use cla_core::word::{ActionId, ItemId, ItemStates, SchemaText, SignedItems};
+use serde::{Deserialize, Serialize};
 
 use super::goals::{Chains, STEP_LIMIT};
 use super::level1::{ACTION_COUNT, ITEM_COUNT};
@@ -59,7 +60,7 @@ const CONFIG_OF_GROWTH: AccommodationConfig = AccommodationConfig {
 /// let it = host_sim::experiment::microworld::synthetic::Findings::default();
 /// assert_eq!(it.schemas, 0);
 /// ```
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Findings {
     /// Synthetic items.
     pub items: usize,
@@ -97,7 +98,7 @@ pub struct Believer<'a> {
 impl<'a> Believer<'a> {
     /// Looks around for a while, and reifies what is unreliable; `objects` come from level 2.
     #[must_use]
-    pub fn new(seed: u64, oracle: &'a Oracle, objects: &[(usize, ItemId)]) -> Self {
+    pub fn new(seed: u64, oracle: &'a Oracle, objects: &[(usize, u16)]) -> Self {
         let mut rng = Rng::stream(seed, 59);
         let states = oracle.states();
         let mut it = Self {
@@ -115,7 +116,7 @@ impl<'a> Believer<'a> {
         }
         for &(composite, found) in objects {
             let place = item(GOALS[composite]).expect("a goal is an item");
-            let schema = schema(&[], composite_action(composite), &[place, found]);
+            let schema = schema(&[], composite_action(composite), &[place, ItemId(found)]);
             // More than fit are left out, the last ones first.
             let _ = it.items.reify(&schema);
         }
@@ -470,7 +471,7 @@ mod tests {
         let (mind, _) = trial::educated(1, 3_000);
         let mut chains = Chains::new(&oracle, mind.schemas(), &GOALS);
         let touch = item("tactl").unwrap();
-        let mut believer = Believer::new(1, &oracle, &[(3, touch)]);
+        let mut believer = Believer::new(1, &oracle, &[(3, touch.0)]);
         let findings = believer.live(&mut chains, 3_000);
         assert!(findings.items > 20, "{}", findings.items);
         assert!(findings.schemas > 40, "{}", findings.schemas);
@@ -485,7 +486,7 @@ mod tests {
         let oracle = Oracle::new(Body::Visible);
         let (hp21, tactl) = (item("hp21").unwrap(), item("tactl").unwrap());
         assert_eq!(GOALS[3], "hp21");
-        let believer = Believer::new(1, &oracle, &[(3, tactl)]);
+        let believer = Believer::new(1, &oracle, &[(3, tactl.0)]);
         let palpable = schema(&[], super::composite_action(3), &[hp21, tactl]);
         let mut reified = believer.items().as_slice().iter();
         let at = reified.position(|it| *it.schema() == palpable).unwrap();

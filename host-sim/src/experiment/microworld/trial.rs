@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use cla_core::growth::{AccommodationConfig, SimpleSchema};
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
 use super::catalogue::{
     Found, Schema, VALID, among_simple_schemas, among_whole_schemas, equations, saying,
@@ -44,7 +45,7 @@ pub const BELIEVED_TRIALS: u16 = 4;
 pub const SLIP: f32 = 0.05;
 
 /// What a learner knows at one moment.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Growth {
     /// Total steps so far.
     pub steps: u32,
@@ -63,7 +64,7 @@ pub struct Growth {
 }
 
 /// What one seed gave.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trial {
     /// Recall, family by family, of the raw harvest.
     pub raw: Recall,
@@ -123,7 +124,8 @@ pub struct Trial {
 
 /// Runs one seed; ticks once a part, [`PARTS`] in all.
 #[must_use]
-pub fn run(seed: u64, oracle: &Oracle, ticker: &Ticker) -> Trial {
+pub fn run(seed: u64, ticker: &Ticker) -> Trial {
+    let oracle = &Oracle::new(Body::Visible);
     let maps = Maps::train(seed, Body::Visible, STEPS);
     let raw = maps.harvest();
     let always = raw.iter().filter(|it| oracle.reliability(it) == Some(1.0));
@@ -402,4 +404,33 @@ pub fn by_family(recall: &Recall) -> impl Iterator<Item = (&'static str, f64)> +
     Family::ALL
         .into_iter()
         .map(|family| (family.name(), recall.of(family)))
+}
+
+/// One learner's growth: its name, and where a trial has it.
+pub(super) type Learner = (&'static str, fn(&Trial) -> &Vec<Growth>);
+
+/// All learners.
+pub(super) const LEARNERS: [Learner; 8] = [
+    ("accommodation, 62 kB", |it| &it.growth),
+    ("accommodation, 198 kB", |it| &it.roomy),
+    ("Drescher, tuned", |it| &it.drescher),
+    ("Drescher, literal", |it| &it.literal),
+    ("Drescher, with conjunctive results", |it| &it.conjunctive),
+    ("Drescher, with synthetic items", |it| &it.complete),
+    ("Drescher, unrestricted", |it| &it.unrestricted),
+    ("Drescher, tuned, in 200 kB", |it| &it.bounded),
+];
+
+/// A number of each seed at one moment of a learner's growth.
+pub(super) fn means(
+    trials: &[Trial],
+    learner: Learner,
+    steps: u32,
+    of: fn(&Growth) -> f64,
+) -> Vec<f64> {
+    trials
+        .iter()
+        .filter_map(|it| learner.1(it).iter().find(|it| it.steps == steps))
+        .map(of)
+        .collect()
 }

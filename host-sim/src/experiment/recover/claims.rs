@@ -1,13 +1,10 @@
-//! What is concluded from the lives: claims and tables of the recovery experiment.
-
-use serde_json::Value;
+//! What is concluded from the lives: the claims of the recovery experiment.
 
 use super::life::Course;
 use super::options::RecoverOptions;
-use super::trial::{Entrant, Trial, entrants};
-use crate::report::{
-    Bound, Claim, Expectation, Rule, Summary, Table, Verdict, mean, median, sample_sd, welch_t,
-};
+use super::tables;
+use super::trial::{Entrant, Lived, NEVER, Trial, before, entrants};
+use crate::report::{Bound, Claim, Expectation, Rule, Summary, Verdict, mean, welch_t};
 use crate::world::damage::Damage;
 
 pub(super) fn summary(options: &RecoverOptions, trials: &[Trial]) -> Summary {
@@ -30,7 +27,7 @@ pub(super) fn summary(options: &RecoverOptions, trials: &[Trial]) -> Summary {
         }
         summary.table(
             &format!("{:02} {damage}: captures", index + 1),
-            captures(&of, entrants(damage)),
+            tables::captures(&of, entrants(damage)),
         );
     }
     if options.damages.len() > 2 {
@@ -43,28 +40,6 @@ pub(super) fn summary(options: &RecoverOptions, trials: &[Trial]) -> Summary {
         claims.for_each(|claim| claim.verdict = Verdict::Extension);
     }
     summary
-}
-
-/// All seeds of one damage.
-pub(super) struct Lived<'a> {
-    pub(super) trials: &'a [Trial],
-    pub(super) index: usize,
-}
-
-impl Lived<'_> {
-    /// A number of each seed; NaN where the entrant did not take part.
-    pub(super) fn of(&self, who: Entrant, number: impl Fn(&Course) -> f64) -> Vec<f64> {
-        let of = |trial: &Trial| trial.course(self.index, who).map_or(f64::NAN, &number);
-        self.trials.iter().map(of).collect()
-    }
-
-    fn captures(&self, who: Entrant, from: u32, to: u32) -> Vec<f64> {
-        self.of(who, |course| course.captures(from, to))
-    }
-}
-
-fn before(course: &Course) -> f64 {
-    f64::from(course.before.iter().sum::<u32>())
 }
 
 /// What is asked of every damage.
@@ -128,9 +103,6 @@ fn recovery(of: &Lived<'_>, id: &str) -> Vec<Claim> {
             ),
     ]
 }
-
-/// What stands for "never" among actions: longer than any life.
-const NEVER: f64 = 99_999.0;
 
 /// What the book and we say of its own damage.
 fn camera(of: &Lived<'_>) -> Vec<Claim> {
@@ -331,33 +303,4 @@ fn ahead(options: &RecoverOptions, trials: &[Trial]) -> Claim {
     })
     .note("captures of both levels against those of Sarsa(λ), first 3000 damaged actions")
     .judge(&wins)
-}
-
-fn captures(of: &Lived<'_>, entrants: &[Entrant]) -> Table {
-    let mut table = Table::new(&[
-        "learner", "before", "0-3k", "sd", "3-6k", "10-13k", "sd ", "to 90 %", "alarms",
-    ]);
-    for &who in entrants {
-        let early = of.captures(who, 0, 3);
-        let late = of.captures(who, 10, 13);
-        let to_90 = of.of(who, |it| {
-            let actions = it.actions_to(0.9);
-            if actions.is_finite() { actions } else { NEVER }
-        });
-        let alarms = of.of(who, |it| f64::from(it.alarms[0] + it.alarms[1]));
-        let cells = [
-            mean(&of.of(who, before)),
-            mean(&early),
-            sample_sd(&early),
-            mean(&of.captures(who, 3, 6)),
-            mean(&late),
-            sample_sd(&late),
-            median(&to_90),
-            mean(&alarms),
-        ];
-        let mut line = vec![Value::from(who.name())];
-        line.extend(cells.map(Value::from));
-        table.row(line);
-    }
-    table
 }

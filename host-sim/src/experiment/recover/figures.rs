@@ -1,9 +1,8 @@
 //! The figures of the recovery experiment: curves over both parts of a life, bars, histograms.
 
-use super::claims::Lived;
 use super::life::Course;
 use super::options::RecoverOptions;
-use super::trial::{Entrant, Trial, entrants};
+use super::trial::{Entrant, Lived, Trial, entrants};
 use crate::learner::STRIDE;
 use crate::report::figure::{
     Axes, Bar, FigureError, Line, Mark, Picture, Point, bar_chart, histogram, line_chart,

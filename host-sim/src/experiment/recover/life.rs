@@ -2,17 +2,21 @@
 //!
 //! Everything that learns lives the same protocol in the same worlds; only the learner differs.
 
+use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
 use crate::device::meter::Load;
+use crate::experiment::record::floats;
 use crate::failure::Failure;
+use crate::learner::forager::Forager;
 use crate::learner::{Learner, STRIDE, Watch, live, watched};
 use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::Pioneer;
 use crate::world::setting::WorldOptions;
 
 /// How long each part of a life is, in actions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Protocol {
     /// Each half of a childhood (book: 10,000 for each level).
     pub training: u32,
@@ -32,7 +36,7 @@ impl Protocol {
 }
 
 /// The captures of each [`STRIDE`] of a life's later parts.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Course {
     /// Undamaged.
     pub before: Vec<u32>,
@@ -42,6 +46,7 @@ pub struct Course {
     pub reliabilities: [Vec<f64>; 2],
     /// Shares of the second level's predictions that came true, undamaged and damaged; NaN for who
     /// makes none.
+    #[serde(with = "floats")]
     pub predictions: [f64; 2],
     /// How often it was alarmed, undamaged and damaged.
     pub alarms: [u32; 2],
@@ -107,6 +112,27 @@ pub fn raise(
     load.merge(&live(learner, &mut second(world, seed)?, protocol.training)?.load);
     learner.act()?;
     Ok(load)
+}
+
+/// A forager that was trained for as long again in another way (6.2.4).
+///
+/// # Errors
+/// [`Failure`] when the world cannot be built or the configuration cannot work.
+pub fn grown(
+    config: AgentConfig,
+    world: &WorldOptions,
+    protocol: &Protocol,
+    seed: u64,
+    load: &mut Load,
+) -> Result<Forager, Failure> {
+    let mut forager = Forager::born(AgentConfig::FORAGER, Adaptation::Relearning, seed)?;
+    load.merge(&live(&mut forager, &mut world.build(seed)?, protocol.training)?.load);
+    let brain = forager.brain_mut();
+    brain.reconfigure(config)?;
+    let mut other = second(world, seed)?;
+    load.merge(&live(&mut forager, &mut other, protocol.training)?.load);
+    forager.act()?;
+    Ok(forager)
 }
 
 /// The world of the second half of a childhood.

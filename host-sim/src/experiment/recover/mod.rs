@@ -1,39 +1,76 @@
 //! Damage and recovery: a robot whose camera was knocked, and what it makes of it (book, 6.3, 7.1.1).
 //!
 //! `life` is the protocol, `trial` one seed of it for everybody who takes part, `claims` what is
-//! concluded, `figures` what is drawn, `page` one robot's life to watch.
+//! concluded, `figures` what is drawn; `film` and `page` show one robot's life.
 
 mod claims;
 mod figures;
+pub mod film;
 pub mod life;
 mod options;
 mod page;
-pub mod trial;
+mod tables;
+mod trial;
 
+pub use options::RecoverOptions;
+pub use trial::{Entrant, Trial};
+
+use super::plan::Experiment;
 use crate::device::meter::Load;
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::Ticker;
 use crate::report::Results;
-pub use options::RecoverOptions;
 
-/// Runs all seeds, judges the claims, draws the figures and writes the page of the first seed.
-///
-/// # Errors
-/// [`Failure`] when a world cannot be built or damaged so, or a figure cannot be drawn.
-pub fn run(options: &RecoverOptions, progress: &Progress) -> Result<Results, Failure> {
-    let job = |&seed: &u64, ticker: &_| trial::run(options, seed, ticker);
-    let trials = progress
-        .over("recovering", &options.seeds, trial::work(options), job)
-        .into_iter()
-        .collect::<Result<Vec<_>, _>>()?;
-    let mut results = Results::new(claims::summary(options, &trials));
-    results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
-    for (name, picture) in figures::all(options, &trials)? {
-        results = results.picture(&name, picture);
+/// The experiment.
+#[derive(Clone, Copy, Debug)]
+pub struct Recover;
+
+impl Experiment for Recover {
+    type Options = RecoverOptions;
+    type Case = u64;
+    type Trial = Trial;
+
+    const NAME: &'static str = "recover";
+    const PHASE: &'static str = "recovering";
+
+    fn cases(options: &RecoverOptions) -> Vec<u64> {
+        options.seeds.clone()
     }
-    if let (Some(&seed), Some(&damage)) = (options.seeds.first(), options.damages.first()) {
-        let page = page::page(options, damage, seed)?;
-        results = results.file("track.html", page.into_bytes());
+
+    fn work(options: &RecoverOptions) -> u64 {
+        trial::work(options)
     }
-    Ok(results)
+
+    fn trial(options: &RecoverOptions, &seed: &u64, ticker: &Ticker) -> Result<Trial, Failure> {
+        trial::run(options, seed, ticker)
+    }
+
+    /// With the page of the first seed.
+    fn judge(options: &RecoverOptions, trials: &[Trial]) -> Result<Results, Failure> {
+        let mut results = Results::new(claims::summary(options, trials));
+        results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
+        for (name, picture) in figures::all(options, trials)? {
+            results = results.picture(&name, picture);
+        }
+        let first = options
+            .seeds
+            .iter()
+            .zip(trials)
+            .zip(&options.damages)
+            .next();
+        if let Some((
+            (
+                &seed,
+                Trial {
+                    film: Some(film), ..
+                },
+            ),
+            &damage,
+        )) = first
+        {
+            let page = page::page(film, options, damage, seed);
+            results = results.file("track.html", page.into_bytes());
+        }
+        Ok(results)
+    }
 }

@@ -1,12 +1,16 @@
 //! What the recovery experiment varies.
 
+use serde::Serialize;
+
 use super::life::Protocol;
-use crate::world::config::PioneerConfig;
-use crate::world::damage::Damage;
+use crate::failure::Impossible;
+use crate::world::config::{AfterCapture, PioneerConfig};
+use crate::world::damage::{Damage, Damaged};
+use crate::world::pioneer::{ACTIONS, ITEMS};
 use crate::world::setting::WorldOptions;
 
 /// What is varied.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RecoverOptions {
     /// The seeds.
     pub seeds: Vec<u64>,
@@ -19,6 +23,46 @@ pub struct RecoverOptions {
 }
 
 impl RecoverOptions {
+    /// The standard protocol in a world, with damages by their texts; `all` are all that are
+    /// reported.
+    ///
+    /// # Errors
+    /// [`Impossible`] for the first thing that cannot be.
+    pub fn new(
+        seeds: Vec<u64>,
+        world: WorldOptions,
+        damages: &[String],
+    ) -> Result<Self, Impossible> {
+        if world.config.after_capture == AfterCapture::Removed {
+            let sentence =
+                "--removed does not go with recover: a cleared room teaches nothing more";
+            return Err(Impossible::new(sentence));
+        }
+        let mut read = Vec::new();
+        for text in damages {
+            let texts = match text.as_str() {
+                "all" => &Damage::REPORTED[..],
+                one => &[one],
+            };
+            for text in texts {
+                let damage = Damage::parse(text, &ITEMS, &ACTIONS);
+                read.push(damage.map_err(|error| Impossible::new(format!("--damage: {error}")))?);
+            }
+        }
+        for &seed in &seeds {
+            world.build(seed)?;
+        }
+        for &damage in &read {
+            Damaged::new(world.build(0)?, damage, 0).map_err(Impossible::new)?;
+        }
+        Ok(Self {
+            seeds,
+            world,
+            damages: read,
+            protocol: Protocol::STANDARD,
+        })
+    }
+
     /// Whether this is another world or length than the one that the claims are about.
     #[must_use]
     pub fn is_varied(&self) -> bool {

@@ -5,8 +5,10 @@
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::level2::{Fallback, Level2Config};
 use cla_core::word::Cost;
+use serde::{Deserialize, Serialize};
 
-use super::life::{Course, Protocol, course, raise, second};
+use super::film::Film;
+use super::life::{Course, Protocol, course, fresh, grown, raise};
 use super::options::RecoverOptions;
 use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
@@ -24,7 +26,7 @@ use crate::world::damage::{Damage, Damaged};
 use crate::world::setting::WorldOptions;
 
 /// Who takes part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Entrant {
     /// Both levels with habits, re-learning, which can be surprised and then fall back on level 1.
     Both,
@@ -118,7 +120,7 @@ impl Entrant {
 }
 
 /// What every entrant lived through, damage by damage.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Trial {
     /// In the order of the damages of the options.
     pub damages: Vec<Vec<(Entrant, Course)>>,
@@ -127,6 +129,8 @@ pub struct Trial {
     pub removed: [u32; 2],
     /// What the worst step of all brains would have cost.
     pub load: Load,
+    /// The first seed's robot with both levels, filmed as the first damage comes.
+    pub film: Option<Film>,
 }
 
 impl Trial {
@@ -151,7 +155,7 @@ pub(super) fn entrants(damage: &Damage) -> &'static [Entrant] {
 
 /// How many actions one seed takes, for the progress bar.
 #[must_use]
-pub fn work(options: &RecoverOptions) -> u64 {
+pub(super) fn work(options: &RecoverOptions) -> u64 {
     let Protocol { before, after, .. } = options.protocol;
     let courses: usize = options.damages.iter().map(|it| entrants(it).len()).sum();
     courses as u64 * u64::from(before + after)
@@ -161,7 +165,7 @@ pub fn work(options: &RecoverOptions) -> u64 {
 ///
 /// # Errors
 /// [`Failure`] when a world cannot be built or damaged so.
-pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial, Failure> {
+pub(super) fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial, Failure> {
     let RecoverOptions {
         world, protocol, ..
     } = options;
@@ -255,29 +259,16 @@ pub fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Result<Trial
         }
         trial.damages.push(lived);
     }
+    if let (Some(&first), Some(&damage)) = (options.seeds.first(), options.damages.first())
+        && first == seed
+    {
+        trial.film = Some(Film::shot(world, protocol, damage, seed)?);
+    }
     Ok(trial)
 }
 
 /// Share of its usual predictions below which the second level is overloaded.
 const OVERLOADED: f32 = 0.8;
-
-/// A forager that was trained for as long again in another way (6.2.4).
-pub(super) fn grown(
-    config: AgentConfig,
-    world: &WorldOptions,
-    protocol: &Protocol,
-    seed: u64,
-    load: &mut Load,
-) -> Result<Forager, Failure> {
-    let mut forager = Forager::born(AgentConfig::FORAGER, Adaptation::Relearning, seed)?;
-    load.merge(&live(&mut forager, &mut world.build(seed)?, protocol.training)?.load);
-    let brain = forager.brain_mut();
-    brain.reconfigure(config)?;
-    let mut other = second(world, seed)?;
-    load.merge(&live(&mut forager, &mut other, protocol.training)?.load);
-    forager.act()?;
-    Ok(forager)
-}
 
 /// Captures in 3000 actions when what is taken is gone.
 fn of_28(
@@ -286,15 +277,11 @@ fn of_28(
     damage: Damage,
     seed: u64,
 ) -> Result<u32, Failure> {
-    let config = PioneerConfig {
+    let world = world.with(PioneerConfig {
         after_capture: AfterCapture::Removed,
         ..world.config
-    };
-    let world = WorldOptions {
-        config,
-        layout: world.layout.clone(),
-    };
-    let mut world = Damaged::new(super::life::fresh(&world, seed)?, damage, seed)?;
+    });
+    let mut world = Damaged::new(fresh(&world, seed)?, damage, seed)?;
     Ok(live(learner, &mut world, 3000)?.total())
 }
 
@@ -336,3 +323,29 @@ impl Learner for Freezing {
         self.0.reason()
     }
 }
+
+/// All seeds of one damage.
+pub(super) struct Lived<'a> {
+    pub(super) trials: &'a [Trial],
+    pub(super) index: usize,
+}
+
+impl Lived<'_> {
+    /// A number of each seed; NaN where the entrant did not take part.
+    pub(super) fn of(&self, who: Entrant, number: impl Fn(&Course) -> f64) -> Vec<f64> {
+        let of = |trial: &Trial| trial.course(self.index, who).map_or(f64::NAN, &number);
+        self.trials.iter().map(of).collect()
+    }
+
+    pub(super) fn captures(&self, who: Entrant, from: u32, to: u32) -> Vec<f64> {
+        self.of(who, |course| course.captures(from, to))
+    }
+}
+
+/// Captures before the damage.
+pub(super) fn before(course: &Course) -> f64 {
+    f64::from(course.before.iter().sum::<u32>())
+}
+
+/// What stands for "never" among actions: longer than any life.
+pub(super) const NEVER: f64 = 99_999.0;

@@ -3,6 +3,8 @@
 
 use core::fmt;
 
+use serde::{Serialize, Serializer};
+
 /// An item or an action of a world, by name and index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
@@ -51,6 +53,13 @@ pub enum Damage {
     Lost(Part),
     /// `beam`: the gripper's beam is blocked and reports something for ever.
     Beam,
+}
+
+/// As its line of text.
+impl Serialize for Damage {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(self)
+    }
 }
 
 /// A text that names no damage.

@@ -9,6 +9,7 @@
 use std::fmt;
 
 use cla_core::num::Rng;
+use serde::Serialize;
 
 /// Elements of the Position input (book, 4.2).
 pub const CELLS: usize = 20;
@@ -77,7 +78,7 @@ impl fmt::Display for Event {
 }
 
 /// What the book does not say about launching events; lengths in cells, times in steps.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LaunchingConfig {
     /// Where the first ball starts: the far left (book, 4.2).
     pub first_start: f32,

@@ -3,6 +3,7 @@
 //! Touch, taste, sight and the sense of its own hand and eye, each a function of the state alone.
 
 use cla_core::word::{ActionId, ItemId, ItemSet, Vocabulary};
+use serde::{Deserialize, Serialize};
 
 use super::state::{Body, Cell, Hand, REACH, State};
 
@@ -83,12 +84,12 @@ pub fn set_of(prefixes: &[&str]) -> Items {
 /// What an item change is about; recall is reported for each.
 ///
 /// ```
-/// use cla_core::word::ActionId;
 /// use host_sim::world::microworld::{Family, action, item};
+/// use cla_core::word::ActionId;
 /// let eyer = ActionId(action("eyer").unwrap() as u16);
 /// assert_eq!(Family::of(eyer, item("vf21").unwrap()), Family::EyeShifts);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Family {
     /// Where the eye looks.
     EyeProprioception,

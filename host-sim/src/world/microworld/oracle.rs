@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use cla_core::word::{ActionId, ItemId, SchemaText, SignedItems};
+use serde::{Deserialize, Serialize};
 
 use super::items::{self, ACTIONS, Family, ITEMS, Items, WORDS};
 use super::state::{Body, Cell, Hand, State};
@@ -75,7 +76,7 @@ impl StateSet {
 /// let it = host_sim::world::microworld::Recall::default();
 /// assert_eq!((it.total(), it.precision()), (0.0, 0.0));
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Recall {
     /// For every family, the changes that were predicted and all changes.
     pub families: BTreeMap<Family, (usize, usize)>,

@@ -3,7 +3,8 @@
 //! A brain on the host lives beside it, sees the same percepts, and must choose the same with the
 //! same value, bit for bit; at the end both must know the same.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use cla_core::agent::{Agent, AgentConfig};
@@ -12,8 +13,10 @@ use cla_core::num::Rng;
 use cla_core::word::Cost;
 use firmware_example::controller::knowledge;
 use firmware_example::link::{Answer, Order};
+use serde::{Deserialize, Serialize};
 
 use super::distant::Distant;
+use crate::device::board::Build;
 use crate::device::meter::Load;
 use crate::device::target::Target;
 use crate::failure::Failure;
@@ -24,7 +27,7 @@ use crate::world::config::PioneerConfig;
 use crate::world::pioneer::Pioneer;
 
 /// What came of one life.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Life {
     /// Choices, in training and test.
     pub choices: u32,
@@ -40,6 +43,23 @@ pub struct Life {
     pub round_trips: u32,
     /// How long that took, the world's and the host brain's work included.
     pub took: Duration,
+}
+
+/// The program of the controller, built once.
+///
+/// # Errors
+/// [`Failure`] when it cannot be built.
+pub fn controller() -> Result<&'static Path, Failure> {
+    // Every life runs the same file, which a second build would overwrite under it.
+    static PROGRAM: OnceLock<Result<PathBuf, String>> = OnceLock::new();
+    let built = PROGRAM.get_or_init(|| {
+        let build = Build::new(Target::M4f, "controller").build();
+        build.map_err(|error| error.to_string())
+    });
+    match built {
+        Ok(program) => Ok(program),
+        Err(why) => Err(why.clone().into()),
+    }
 }
 
 /// Two brains with one life; the distant one decides.

@@ -1,0 +1,54 @@
+//! Brain in the loop: the simulated robot lives, the brain in an emulated controller decides.
+//!
+//! `distant` is the wire to that brain, `trial` a life with it and with the host's beside it.
+
+pub mod claims;
+pub mod distant;
+mod options;
+mod tables;
+pub mod trial;
+
+pub use options::HilOptions;
+pub use trial::Life;
+
+use super::plan::Experiment;
+use crate::device::meter::Load;
+use crate::device::target::Target;
+use crate::failure::Failure;
+use crate::progress::Ticker;
+use crate::report::Results;
+
+/// The experiment.
+#[derive(Clone, Copy, Debug)]
+pub struct Hil;
+
+impl Experiment for Hil {
+    type Options = HilOptions;
+    type Case = u64;
+    type Trial = Life;
+
+    const NAME: &'static str = "hil";
+    const PHASE: &'static str = "living in the loop";
+
+    fn cases(options: &HilOptions) -> Vec<u64> {
+        options.seeds.clone()
+    }
+
+    fn trial(options: &HilOptions, &seed: &u64, ticker: &Ticker) -> Result<Life, Failure> {
+        let HilOptions {
+            actions,
+            test_actions,
+            ..
+        } = *options;
+        let program = trial::controller()?;
+        let life = trial::run(Target::M4f, program, seed, actions, test_actions)?;
+        ticker.advance(1);
+        Ok(life)
+    }
+
+    fn judge(options: &HilOptions, lives: &[Life]) -> Result<Results, Failure> {
+        let mut results = Results::new(claims::summary(options, lives));
+        results.worst_ticks = Load::of(lives.iter().map(|life| &life.load)).by_processor();
+        Ok(results)
+    }
+}
