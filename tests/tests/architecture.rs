@@ -117,6 +117,68 @@ fn each_storey_of_the_core_imports_only_storeys_below() {
     }
 }
 
+/// The storeys of the simulator, each with those that it may stand on.
+const SIMULATOR: [(&str, &[&str]); 11] = [
+    ("failure", &[]),
+    ("progress", &[]),
+    ("report", &[]),
+    ("world", &["failure"]),
+    ("device", &["failure", "report"]),
+    ("learner", &["device", "failure", "world"]),
+    ("baseline", &["failure", "learner", "world"]),
+    (
+        "experiment",
+        &[
+            "baseline", "device", "failure", "learner", "progress", "report", "world",
+        ],
+    ),
+    ("cli", &[]),
+    (
+        "options",
+        &[
+            "cli",
+            "device",
+            "experiment",
+            "failure",
+            "progress",
+            "report",
+            "world",
+        ],
+    ),
+    ("main", &["cli", "failure", "options", "progress", "report"]),
+];
+
+#[test]
+fn each_storey_of_the_simulator_imports_only_storeys_below() {
+    let storey = |path: &str| -> Option<String> {
+        let inside = path.strip_prefix("host-sim/src/")?.trim_end_matches(".rs");
+        let storey = inside.split('/').next()?;
+        (storey != "lib").then(|| storey.to_owned())
+    };
+    let mut upward = Vec::new();
+    for import in Imports::of(&all()).iter() {
+        let (Some(from), Some(to)) = (storey(&import.from), storey(&import.to)) else {
+            continue;
+        };
+        let named = SIMULATOR.iter().find(|(storey, _)| *storey == from);
+        let (_, below) = named.unwrap_or_else(|| panic!("{from} is not in the list of storeys"));
+        if from != to && !below.contains(&to.as_str()) {
+            upward.push(import.to_string());
+        }
+    }
+    assert!(upward.is_empty(), "{upward:#?}");
+}
+
+#[test]
+fn nothing_in_the_simulator_but_its_program_prints() {
+    let mut library = under("host-sim/src");
+    library.retain(|source| !source.path.ends_with("src/main.rs"));
+    for word in ["println!", "print!(", "dbg!"] {
+        let found = lines_with(&library, word);
+        assert!(found.is_empty(), "{found:?}");
+    }
+}
+
 #[test]
 fn no_file_imports_another_that_imports_it() {
     let imports = Imports::of(&all());

@@ -240,10 +240,6 @@ mod tests {
         fn obtained(&self) -> u32 {
             self.sprung
         }
-
-        fn finished(&self) -> bool {
-            false
-        }
     }
 
     /// Goes ahead, and writes down what it is shown.

@@ -52,13 +52,18 @@ pub trait World {
     /// ended as, `None` when none fired.
     ///
     /// Who lives here is shown a reflex as if it had done that action, but it is not counted as one.
-    fn reflex(&mut self) -> Option<usize>;
+    /// A body has no reflexes unless it says so.
+    fn reflex(&mut self) -> Option<usize> {
+        None
+    }
 
     /// What has been obtained so far, in pieces: specimens, or whatever this world rewards.
     fn obtained(&self) -> u32;
 
-    /// Whether nothing is left to do: the world has ended.
-    fn finished(&self) -> bool;
+    /// Whether nothing is left to do: the world has ended. One goes on for ever unless it says so.
+    fn finished(&self) -> bool {
+        false
+    }
 
     /// All that has been earned so far, rewards less costs; without signed rewards, what was obtained.
     ///

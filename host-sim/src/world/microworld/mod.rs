@@ -92,15 +92,7 @@ impl World for Microworld {
         self.state = self.state.after(action);
     }
 
-    fn reflex(&mut self) -> Option<usize> {
-        None
-    }
-
     fn obtained(&self) -> u32 {
         0
-    }
-
-    fn finished(&self) -> bool {
-        false
     }
 }
