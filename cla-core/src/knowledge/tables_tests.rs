@@ -454,3 +454,8 @@ fn a_harvest_into_too_small_a_table_keeps_what_nodes_say_most_often() {
     assert_eq!((losses.evicted_schemas, losses.refused_schemas), (1, 1));
     assert_eq!(losses.refused_patterns, 0);
 }
+
+#[test]
+fn a_full_table_says_so() {
+    assert_eq!(std::format!("{TableFull}"), "the schema tables are full");
+}

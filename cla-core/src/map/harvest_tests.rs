@@ -151,3 +151,19 @@ fn a_threshold_itself_is_not_passed() {
     assert!(change.result.negative().contains(ItemId(0)) && change.result.len() == 1);
     assert_eq!(read(&bank, ResultCoding::Change, 1.0, 0.1), None);
 }
+
+#[test]
+fn thresholds_are_shares_and_off_lies_below_on() {
+    let check = |on, off| {
+        let config = HarvestConfig {
+            on,
+            off,
+            minimum_wins: 0,
+        };
+        config.check().is_ok()
+    };
+    assert!(check(1.0, 0.0) && check(0.5, 0.49));
+    assert!(!check(0.5, 0.5) && !check(0.4, 0.5));
+    assert!(!check(1.1, 0.1) && !check(0.9, -0.1));
+    assert!(!check(f32::NAN, 0.1) && !check(0.9, f32::NAN));
+}
