@@ -32,6 +32,7 @@ mod brain;
 pub mod check;
 pub mod choice;
 pub mod forager;
+pub mod forest;
 pub mod growth;
 pub mod knowledge;
 pub mod layer;

@@ -1,0 +1,246 @@
+//! The memory of samples: what was perceived, what was done there, what it brought.
+//!
+//! Samples lie in stretches of sixteen, in the order in which they were lived, so that the moment
+//! before and the moment after are neighbours and need no memory of their own.
+//! A full memory gives up its oldest stretch.
+
+use super::moment::{Moment, NO_ACTION};
+use crate::word::ItemStates;
+
+/// Samples of a stretch.
+pub(super) const STRETCH: usize = 16;
+
+/// Nothing follows: the episode has ended here.
+const ENDS: u8 = 1;
+/// Nothing was before: an episode begins here.
+const BEGINS: u8 = 2;
+/// It was not the learner's own choice.
+const WATCHED: u8 = 4;
+/// Its target is known.
+const TARGET: u8 = 8;
+
+/// One action, where it was done, and what it brought.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample<const WORDS: usize> {
+    pub(super) now: ItemStates<WORDS>,
+    pub(super) reward: f32,
+    target: f32,
+    pub(super) action: u8,
+    marks: u8,
+}
+
+impl<const WORDS: usize> Sample<WORDS> {
+    const NONE: Self = Self {
+        now: ItemStates::UNKNOWN,
+        reward: 0.0,
+        target: 0.0,
+        action: 0,
+        marks: 0,
+    };
+
+    pub(super) const fn new(now: &ItemStates<WORDS>, action: u8, reward: f32) -> Self {
+        Self {
+            now: *now,
+            reward,
+            target: 0.0,
+            action,
+            marks: 0,
+        }
+    }
+
+    pub(super) const fn watched(mut self) -> Self {
+        self.marks |= WATCHED;
+        self
+    }
+
+    pub(super) const fn beginning(mut self) -> Self {
+        self.marks |= BEGINS;
+        self
+    }
+
+    pub(super) const fn is_watched(&self) -> bool {
+        self.marks & WATCHED != 0
+    }
+
+    pub(super) const fn ends(&self) -> bool {
+        self.marks & ENDS != 0
+    }
+
+    const fn begins(&self) -> bool {
+        self.marks & BEGINS != 0
+    }
+
+    /// What it was worth, reward and what followed; `None` while nobody knows.
+    pub(super) fn target(&self) -> Option<f32> {
+        (self.marks & TARGET != 0).then_some(self.target)
+    }
+}
+
+/// The last samples, in a ring of stretches.
+#[derive(Clone, Debug)]
+pub(super) struct Memory<const WORDS: usize, const STRETCHES: usize> {
+    samples: [[Sample<WORDS>; STRETCH]; STRETCHES],
+    /// Where the next sample goes.
+    head: u16,
+    /// How many there are.
+    len: u16,
+    /// How many of the newest tell of the world as it is.
+    recent: u16,
+}
+
+impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
+    pub(super) const CAPACITY: u16 = {
+        assert!(
+            STRETCHES >= 2 && STRETCHES < 4096,
+            "a memory has 2 to 4095 stretches of 16 samples"
+        );
+        (STRETCHES * STRETCH) as u16
+    };
+
+    pub(super) const fn new() -> Self {
+        let _ = Self::CAPACITY;
+        Self {
+            samples: [[Sample::NONE; STRETCH]; STRETCHES],
+            head: 0,
+            len: 0,
+            recent: 0,
+        }
+    }
+
+    /// Forgets everything, in place.
+    pub(super) const fn clear(&mut self) {
+        self.head = 0;
+        self.len = 0;
+        self.recent = 0;
+    }
+
+    pub(super) const fn len(&self) -> u16 {
+        self.len
+    }
+
+    pub(super) fn get(&self, at: u16) -> Option<&Sample<WORDS>> {
+        if at >= self.len {
+            return None;
+        }
+        let at = usize::from(at);
+        self.samples.get(at / STRETCH)?.get(at % STRETCH)
+    }
+
+    fn get_mut(&mut self, at: u16) -> Option<&mut Sample<WORDS>> {
+        if at >= self.len {
+            return None;
+        }
+        let at = usize::from(at);
+        self.samples.get_mut(at / STRETCH)?.get_mut(at % STRETCH)
+    }
+
+    /// Enters a sample, in the place of the oldest when there is no room.
+    pub(super) fn push(&mut self, sample: Sample<WORDS>) {
+        if self.len < Self::CAPACITY {
+            self.len += 1;
+        }
+        if self.recent < Self::CAPACITY {
+            self.recent += 1;
+        }
+        let head = self.head;
+        if let Some(place) = self.get_mut(head) {
+            *place = sample;
+        }
+        self.head = if head + 1 >= Self::CAPACITY {
+            0
+        } else {
+            head + 1
+        };
+    }
+
+    /// Nothing that comes has to do with the newest sample.
+    pub(super) fn interrupt(&mut self) {
+        let newest = self.back(self.head);
+        if let Some(sample) = self.get_mut(newest) {
+            sample.marks |= ENDS;
+        }
+    }
+
+    /// What was lived until now may be of another world.
+    pub(super) const fn doubt(&mut self) {
+        self.recent = 0;
+    }
+
+    /// Whether a sample is of the world as it is.
+    pub(super) fn is_recent(&self, at: u16) -> bool {
+        let newest = self.back(self.head);
+        let age = if newest >= at {
+            newest - at
+        } else {
+            newest + self.len - at
+        };
+        age < self.recent
+    }
+
+    const fn back(&self, at: u16) -> u16 {
+        if at == 0 {
+            self.len.saturating_sub(1)
+        } else {
+            at - 1
+        }
+    }
+
+    /// Where the newest sample is, when there is one.
+    pub(super) const fn newest(&self) -> Option<u16> {
+        if self.len == 0 {
+            None
+        } else {
+            Some(self.back(self.head))
+        }
+    }
+
+    /// The sample before this one in time, when it is still there.
+    pub(super) const fn earlier(&self, at: u16) -> Option<u16> {
+        let oldest = if self.len < Self::CAPACITY {
+            0
+        } else {
+            self.head
+        };
+        if at == oldest {
+            None
+        } else {
+            Some(self.back(at))
+        }
+    }
+
+    /// The sample after this one in time, when there is one.
+    pub(super) const fn later(&self, at: u16) -> Option<u16> {
+        let next = if at + 1 >= Self::CAPACITY { 0 } else { at + 1 };
+        if next == self.head { None } else { Some(next) }
+    }
+
+    /// The moment of a sample: what was perceived there and just before.
+    pub(super) fn moment(&self, at: u16) -> Moment<WORDS> {
+        let Some(sample) = self.get(at) else {
+            return Moment::UNKNOWN;
+        };
+        let mut moment = Moment::first(&sample.now);
+        if !sample.begins()
+            && let Some(before) = self.earlier(at).and_then(|before| self.get(before))
+        {
+            moment.before = before.now;
+            moment.action = before.action;
+        }
+        debug_assert!(moment.action == NO_ACTION || !sample.begins());
+        moment
+    }
+
+    /// Says what a sample was worth; a value that is no number says nothing.
+    pub(super) fn set_target(&mut self, at: u16, target: f32) {
+        if let Some(sample) = self.get_mut(at)
+            && target.is_finite()
+        {
+            sample.target = target;
+            sample.marks |= TARGET;
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "memory_tests.rs"]
+mod tests;

@@ -1,0 +1,90 @@
+//! The ring of samples: neighbours, interruptions, what is recent.
+
+use super::super::moment::NO_ACTION;
+use super::{Memory, STRETCH, Sample};
+use crate::word::{ItemId, ItemStates};
+
+type Two = Memory<1, 2>;
+
+/// A percept that names its number in binary, so that samples can be told apart.
+fn percept(number: u16) -> ItemStates<1> {
+    let mut now = ItemStates::all_off(16);
+    for bit in 0..16 {
+        now.set(ItemId(bit), Some(number >> bit & 1 == 1)).unwrap();
+    }
+    now
+}
+
+fn lived(count: u16) -> Two {
+    let mut memory = Two::new();
+    for number in 0..count {
+        memory.push(Sample::new(&percept(number), (number % 5) as u8, 0.0));
+    }
+    memory
+}
+
+#[test]
+fn the_moment_before_a_sample_is_its_neighbour_across_stretches_and_round_the_ring() {
+    // Two stretches hold 32 samples; 40 were lived, so the ring has gone round.
+    let memory = lived(40);
+    assert_eq!(memory.len(), 2 * STRETCH as u16);
+    let mut at = memory.newest();
+    for number in (9..40).rev() {
+        let moment = memory.moment(at.unwrap());
+        assert_eq!(moment.now, percept(number));
+        assert_eq!(moment.before, percept(number - 1));
+        assert_eq!(u16::from(moment.action), (number - 1) % 5);
+        at = memory.earlier(at.unwrap());
+    }
+    // The oldest that is left: what was before it was overwritten.
+    let moment = memory.moment(at.unwrap());
+    assert_eq!((moment.now, moment.action), (percept(8), NO_ACTION));
+    assert_eq!(memory.earlier(at.unwrap()), None);
+}
+
+#[test]
+fn going_later_leads_back_to_the_newest_which_nothing_follows() {
+    let memory = lived(40);
+    let newest = memory.newest().unwrap();
+    let before = memory.earlier(newest).unwrap();
+    assert_eq!(memory.later(before), Some(newest));
+    assert_eq!(memory.later(newest), None);
+}
+
+#[test]
+fn nothing_is_remembered_across_an_interruption() {
+    let mut memory = lived(3);
+    memory.interrupt();
+    memory.push(Sample::new(&percept(77), 1, 0.0).beginning());
+    let first = memory.newest().unwrap();
+    let moment = memory.moment(first);
+    assert_eq!(moment.action, NO_ACTION);
+    assert_eq!(moment.before, ItemStates::UNKNOWN);
+    let last = memory.earlier(first).unwrap();
+    assert!(memory.get(last).unwrap().ends());
+    assert!(!memory.get(first).unwrap().ends());
+}
+
+#[test]
+fn a_target_that_is_no_number_is_not_taken() {
+    let mut memory = lived(1);
+    memory.set_target(0, f32::NAN);
+    memory.set_target(0, f32::INFINITY);
+    assert_eq!(memory.get(0).unwrap().target(), None);
+    memory.set_target(0, -2.5);
+    assert_eq!(memory.get(0).unwrap().target(), Some(-2.5));
+}
+
+#[test]
+fn after_a_doubt_only_what_is_lived_then_is_recent() {
+    let mut memory = lived(40);
+    memory.doubt();
+    assert!((0..32).all(|at| !memory.is_recent(at)));
+    for number in 40..45 {
+        memory.push(Sample::new(&percept(number), 0, 0.0));
+    }
+    let recent = (0..32).filter(|&at| memory.is_recent(at)).count();
+    assert_eq!(recent, 5);
+    let newest = memory.newest().unwrap();
+    assert!(memory.is_recent(newest));
+}

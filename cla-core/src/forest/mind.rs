@@ -1,0 +1,598 @@
+//! The whole learner: senses, chooses, learns, within fixed memory and a fixed amount of work.
+//!
+//! One control step is [`choose`](Mind::choose), the action, [`learn`](Mind::learn).
+//! All memory is inside the value, all of it zero at first: a static mind costs no flash.
+
+use super::budget::WorkBudget;
+use super::config::{Doubting, Heard, MindConfig, Voice};
+use super::doubt::Doubt;
+use super::memory::Sample;
+use super::model::{Model, ModelRates, State};
+use super::moment::{Moment, NO_ACTION};
+use super::runs::Runs;
+use super::sarsa::{Rates, Sarsa, Scene, number, row};
+use super::step::{Actions, Deliberation, MOST_REWARD, MindError, Motive, Taught};
+use super::trees::{Forest, Horizon};
+use super::voices::Voices;
+use crate::num::Rng;
+use crate::word::{ActionId, ItemSet, ItemStates};
+
+/// How many voices there are.
+const VOICES: usize = Voice::ALL.len();
+
+/// The share of taken rows above which tables are crowded.
+const CROWDED: f32 = 0.5;
+
+/// Values closer than this are the same.
+const CLOSE: f32 = 1.0e-6;
+
+/// What a mind is doing with its life.
+#[repr(u8)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Age {
+    Unborn,
+    Training,
+    Acting,
+}
+
+/// A learner in fixed memory, the same in every world.
+///
+/// Capacities: words of an item set, items, actions, stretches of sixteen samples, leaves of a tree
+/// of all actions, rows of the habits' last step, states and links of the model.
+///
+/// ```
+/// use cla_core::word::{ActionId, ItemId, ItemStates};
+/// use cla_core::forest::{Mind, MindConfig};
+/// // Two items (a light is on, at the lamp) and two actions (stay, go): going when there is light
+/// // leads to the lamp.
+/// let mut mind = Box::new(Mind::<1, 2, 2, 32, 16, 32, 64, 256>::new());
+/// mind.begin(MindConfig::DEFAULT, [0.0, 1.0], 1)?;
+/// let light = |on: bool| {
+///     let mut now = ItemStates::all_off(2);
+///     now.set(ItemId(0), Some(on)).map(|()| now)
+/// };
+/// for step in 0..400 {
+///     let on = step % 2 == 0;
+///     let choice = mind.choose(&light(on)?)?;
+///     let mut after = light(!on)?;
+///     after.set(ItemId(1), Some(on && choice.action == ActionId(1)))?;
+///     mind.learn(&after)?;
+/// }
+/// assert_eq!(mind.choose(&light(true)?)?.action, ActionId(1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Mind<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+    const ROWS: usize,
+    const STATES: usize,
+    const LINKS: usize,
+> {
+    pub(super) forest: Forest<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES>,
+    pub(super) habits: Sarsa<WORDS, ITEMS, ACTIONS, ROWS>,
+    pub(super) model: Model<ACTIONS, STATES, LINKS>,
+    /// The last deed as the model sees it, its action and what it brought.
+    state: State,
+    did: u8,
+    brought: f32,
+    pub(super) voices: Voices<VOICES>,
+    pub(super) runs: Runs<ITEMS>,
+    pub(super) doubt: Doubt,
+    values: [f32; ITEMS],
+    config: MindConfig,
+    rng: Rng,
+    age: Age,
+    /// What was perceived when the last action was chosen, and that action.
+    before: ItemStates<WORDS>,
+    last: u8,
+    /// The action whose result is awaited, where it was chosen, and why.
+    chosen: u8,
+    now: ItemStates<WORDS>,
+    /// Actions since anything was earned, how long that mostly is, and how often it happened.
+    since: u16,
+    wait: f32,
+    earned: u16,
+    burst: u16,
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+    const ROWS: usize,
+    const STATES: usize,
+    const LINKS: usize,
+> Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS>
+{
+    /// An unborn mind of all-zero memory.
+    #[must_use]
+    pub const fn new() -> Self {
+        const {
+            assert!(ITEMS <= WORDS * 32, "an item needs a bit: 32 for each word");
+            assert!(ACTIONS > 0 && ACTIONS <= 32, "a robot has 1 to 32 actions");
+            assert!(
+                2 * ITEMS + ACTIONS < 255,
+                "twice the items and the actions are less than 255"
+            );
+            assert!(ROWS > 0 && ROWS < 65_536, "habits have 1 to 65,535 rows");
+        }
+        Self {
+            forest: Forest::new(),
+            habits: Sarsa::new(),
+            model: Model::new(),
+            state: State {
+                step: 0,
+                percept: 0,
+            },
+            did: 0,
+            brought: 0.0,
+            voices: Voices::new(),
+            runs: Runs::new(),
+            doubt: Doubt::new(),
+            values: [0.0; ITEMS],
+            config: ZERO,
+            rng: Rng::UNSEEDED,
+            age: Age::Unborn,
+            before: ItemStates::UNKNOWN,
+            last: 0,
+            chosen: 0,
+            now: ItemStates::UNKNOWN,
+            since: 0,
+            wait: 0.0,
+            earned: 0,
+            burst: 0,
+        }
+    }
+
+    /// Begins a life: `values` says what it is worth when an item is on after an action, negative
+    /// for harm; `seed` decides everything that is left to chance.
+    ///
+    /// # Errors
+    /// When the configuration cannot work or a value is no number; the mind is as it was.
+    pub fn begin(
+        &mut self,
+        config: MindConfig,
+        values: [f32; ITEMS],
+        seed: u64,
+    ) -> Result<(), MindError> {
+        config.check().map_err(MindError::Config)?;
+        for value in values {
+            check_reward(value)?;
+        }
+        self.rng = Rng::stream(seed, 9);
+        self.forest.begin(self.rng.next_u32());
+        self.habits.clear();
+        self.model.clear();
+        self.did = NO_ACTION;
+        self.voices = Voices::new();
+        self.runs = Runs::new();
+        self.doubt = Doubt::new();
+        self.values = values;
+        self.config = config;
+        self.age = Age::Training;
+        self.last = NO_ACTION;
+        self.chosen = NO_ACTION;
+        self.since = 0;
+        self.wait = 0.0;
+        self.earned = 0;
+        self.burst = 0;
+        Ok(())
+    }
+
+    /// Training is over: it goes on learning, and tries less.
+    ///
+    /// # Errors
+    /// [`MindError::Unborn`].
+    pub fn act(&mut self) -> Result<(), MindError> {
+        self.born()?;
+        self.age = Age::Acting;
+        self.since = 0;
+        self.burst = 0;
+        Ok(())
+    }
+
+    fn born(&self) -> Result<(), MindError> {
+        if self.age == Age::Unborn {
+            return Err(MindError::Unborn);
+        }
+        Ok(())
+    }
+
+    /// What to do now.
+    ///
+    /// # Errors
+    /// [`MindError::Unborn`].
+    pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Deliberation, MindError> {
+        self.choose_among(now, Actions::ALL)
+    }
+
+    /// What to do now, of the actions that are allowed.
+    ///
+    /// # Errors
+    /// [`MindError::Unborn`], or [`MindError::NothingAllowed`].
+    pub fn choose_among(
+        &mut self,
+        now: &ItemStates<WORDS>,
+        allowed: Actions,
+    ) -> Result<Deliberation, MindError> {
+        self.born()?;
+        let mut count = 0;
+        for action in 0..ACTIONS as u16 {
+            count += u32::from(allowed.contains(ActionId(action)));
+        }
+        if count == 0 {
+            return Err(MindError::NothingAllowed);
+        }
+        let seen = self.runs.believed(now);
+        let leader = self.leader();
+        let values = self.speak(leader, &seen);
+        let mut motive = Motive::Voice(leader);
+        let mut best = f32::MIN;
+        for (action, value) in values.iter().enumerate() {
+            if allowed.contains(ActionId(action as u16)) {
+                best = best.max(*value);
+            }
+        }
+        let mut candidates = allowed;
+        if let Some(reason) = self.restless() {
+            motive = reason;
+        } else {
+            count = 0;
+            for (action, value) in values.iter().enumerate() {
+                let action = ActionId(action as u16);
+                if *value < best - CLOSE {
+                    candidates = candidates.without(action);
+                } else if candidates.contains(action) {
+                    count += 1;
+                }
+            }
+        }
+        let mut drawn = self.rng.below(count);
+        let mut action = ActionId(0);
+        for candidate in 0..ACTIONS as u16 {
+            if candidates.contains(ActionId(candidate)) {
+                action = ActionId(candidate);
+                if drawn == 0 {
+                    break;
+                }
+                drawn -= 1;
+            }
+        }
+        self.chosen = action.0 as u8;
+        self.now = seen;
+        Ok(Deliberation {
+            action,
+            value: values.get(usize::from(action.0)).copied().unwrap_or(0.0),
+            motive,
+        })
+    }
+
+    fn leader(&mut self) -> Voice {
+        let trying = match self.age {
+            Age::Acting => self.config.trying_acting,
+            _ => self.config.trying,
+        };
+        let heard = self.config.heard.bits();
+        let leader = self
+            .voices
+            .lead(self.config.block, trying, heard, &mut self.rng);
+        let voice = Voice::ALL.get(usize::from(leader)).copied();
+        voice.unwrap_or(Voice::TreesAndHabits)
+    }
+
+    /// Whether it does anything at all, and why.
+    fn restless(&mut self) -> Option<Motive> {
+        let share = match self.age {
+            Age::Acting => self.config.exploring_acting,
+            _ => self.config.exploring,
+        };
+        if self.rng.chance(share) {
+            return Some(Motive::Chance);
+        }
+        if self.burst == 0 && self.earned > 0 {
+            let patience = (8.0 * self.wait).max(f32::from(self.config.patience));
+            if f32::from(self.since) >= patience {
+                self.burst = self.config.burst;
+                self.since = 0;
+            }
+        }
+        if self.burst > 0 {
+            self.burst -= 1;
+            return Some(Motive::Escape);
+        }
+        None
+    }
+
+    fn moment(&self, now: &ItemStates<WORDS>) -> Moment<WORDS> {
+        let mut moment = Moment::first(now);
+        if self.last != NO_ACTION {
+            moment.before = self.before;
+            moment.action = self.last;
+        }
+        moment
+    }
+
+    fn scene(&self, now: &ItemStates<WORDS>) -> (Scene<WORDS>, State) {
+        let mask = self.forest.mask();
+        let on = now.on().intersection(mask);
+        let before = if self.last == NO_ACTION {
+            ItemSet::EMPTY
+        } else {
+            self.before.on().intersection(mask)
+        };
+        let step = number(&before, self.last, &on);
+        let scene = Scene {
+            row: row(step, ROWS as u16),
+            owner: step as u16,
+            on,
+        };
+        let percept = number(&ItemSet::<WORDS>::EMPTY, 254, &on);
+        (scene, State { step, percept })
+    }
+
+    /// What a voice holds each action to be worth.
+    fn speak(&self, voice: Voice, now: &ItemStates<WORDS>) -> [f32; ACTIONS] {
+        let (scene, state) = self.scene(now);
+        let trees = || self.forest.values(&self.moment(now)).0;
+        let habits = || self.habits.worth(&scene, self.config.habit_discount);
+        let model = || self.model.values(state);
+        match voice {
+            Voice::TreesAndHabits => halves(trees(), habits()),
+            Voice::Trees => trees(),
+            Voice::Habits => habits(),
+            Voice::Model => model(),
+            Voice::ModelAndHabits => halves(model(), habits()),
+        }
+    }
+
+    /// The action that was chosen last has led to `now`.
+    ///
+    /// # Errors
+    /// [`MindError::Unborn`], or [`MindError::NothingChosen`].
+    pub fn learn(&mut self, now: &ItemStates<WORDS>) -> Result<Taught, MindError> {
+        self.learn_with(now, 0.0)
+    }
+
+    /// The same, and it brought a reward, or harm, beside that of the valued items.
+    ///
+    /// # Errors
+    /// As [`learn`](Self::learn), and [`MindError::Reward`].
+    pub fn learn_with(
+        &mut self,
+        now: &ItemStates<WORDS>,
+        reward: f32,
+    ) -> Result<Taught, MindError> {
+        self.born()?;
+        check_reward(reward)?;
+        if self.chosen == NO_ACTION {
+            return Err(MindError::NothingChosen);
+        }
+        let reward = reward + self.worth_of(now);
+        let (seen, action) = (self.now, self.chosen);
+        self.chosen = NO_ACTION;
+        self.voices.gather(reward);
+        self.runs.count(now);
+        self.notice(reward);
+        if self.config.doubting == Doubting::WhenRewardsStayAway && self.doubt.notice(reward > 0.0)
+        {
+            self.forest.doubt();
+        }
+        self.take_in(&seen, action, reward, false);
+        Ok(Taught {
+            reward,
+            refocused: self.idle(self.config.work),
+        })
+    }
+
+    /// Somebody else's action, a reflex or a teacher, has led from `before` to `after`: it is learned
+    /// from as from one's own.
+    ///
+    /// # Errors
+    /// [`MindError::Unborn`], or [`MindError::NoSuchAction`].
+    pub fn observe(
+        &mut self,
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+    ) -> Result<Taught, MindError> {
+        self.born()?;
+        if usize::from(action.0) >= ACTIONS {
+            return Err(MindError::NoSuchAction(action));
+        }
+        let seen = self.runs.believed(before);
+        let reward = self.worth_of(after);
+        self.take_in(&seen, action.0 as u8, reward, true);
+        Ok(Taught {
+            reward,
+            refocused: self.idle(self.config.work),
+        })
+    }
+
+    /// The episode is over: what comes next has nothing to do with what was.
+    ///
+    /// # Errors
+    /// [`MindError::Unborn`].
+    pub fn interrupt(&mut self) -> Result<(), MindError> {
+        self.born()?;
+        self.forest.interrupt();
+        self.voices.interrupt();
+        let rates = self.rates();
+        self.habits.end(&rates);
+        self.follow(None);
+        self.last = NO_ACTION;
+        self.chosen = NO_ACTION;
+        Ok(())
+    }
+
+    /// Works for up to so many units on what is pending, as a robot that has time may; answers
+    /// whether other items matter from now on.
+    pub fn idle(&mut self, units: u32) -> bool {
+        if self.age == Age::Unborn {
+            return false;
+        }
+        let crowded = self.habits.crowding() > CROWDED;
+        let horizon = Horizon {
+            discount: self.config.discount,
+            lambda: self.config.lambda,
+        };
+        let changed = self
+            .forest
+            .work(&mut WorkBudget::of(units), horizon, crowded);
+        if changed {
+            self.habits.forget_rows();
+            self.model.clear();
+            self.did = NO_ACTION;
+        }
+        changed
+    }
+
+    /// Whether there is work that [`idle`](Self::idle) could do.
+    #[must_use]
+    pub fn pending(&self) -> bool {
+        self.age != Age::Unborn && self.forest.is_pending()
+    }
+
+    fn rates(&self) -> Rates {
+        Rates {
+            rate: if self.doubt.lasts() {
+                self.config.habit_rate_doubting
+            } else {
+                self.config.habit_rate
+            },
+            replacing: self.doubt.lasts(),
+            discount: self.config.habit_discount,
+            lambda: self.config.habit_lambda,
+        }
+    }
+
+    fn worth_of(&self, now: &ItemStates<WORDS>) -> f32 {
+        let mut worth = 0.0;
+        for item in now.on().iter() {
+            worth += self.values.get(usize::from(item.0)).copied().unwrap_or(0.0);
+        }
+        worth
+    }
+
+    /// The last deed was followed by this state, or by nothing.
+    fn follow(&mut self, to: Option<State>) {
+        let rates = self.model_rates();
+        if self.did != NO_ACTION {
+            self.model
+                .learn(self.state, self.did, self.brought, to, &rates);
+        }
+        self.did = NO_ACTION;
+        self.model.spread(self.config.spread, &rates);
+    }
+
+    fn model_rates(&self) -> ModelRates {
+        ModelRates {
+            discount: self.config.model_discount,
+            remembered: if self.doubt.lasts() {
+                self.config.remembered_doubting
+            } else {
+                self.config.remembered
+            },
+            prior: self.config.prior,
+            felt: self.config.felt,
+        }
+    }
+
+    /// How long rewards mostly take to come.
+    fn notice(&mut self, reward: f32) {
+        self.since = self.since.saturating_add(1);
+        if reward > 0.0 {
+            self.earned = self.earned.saturating_add(1);
+            let share = (1.0 / f32::from(self.earned)).max(0.05);
+            self.wait += share * (f32::from(self.since) - self.wait);
+            self.since = 0;
+        }
+    }
+
+    fn take_in(&mut self, seen: &ItemStates<WORDS>, action: u8, reward: f32, watched: bool) {
+        let (scene, state) = self.scene(seen);
+        let rates = self.rates();
+        self.habits.feel(scene, action, reward, &rates);
+        self.follow(Some(state));
+        self.state = state;
+        self.did = action;
+        self.brought = reward;
+        let mut sample = Sample::new(seen, action, reward);
+        if watched {
+            sample = sample.watched();
+        }
+        if self.last == NO_ACTION {
+            sample = sample.beginning();
+        }
+        self.forest.remember(sample);
+        self.before = *seen;
+        self.last = action;
+    }
+}
+
+/// The all-zero configuration of the unborn.
+const ZERO: MindConfig = MindConfig {
+    exploring: 0.0,
+    exploring_acting: 0.0,
+    discount: 0.0,
+    lambda: 0.0,
+    habit_discount: 0.0,
+    habit_lambda: 0.0,
+    habit_rate: 0.0,
+    habit_rate_doubting: 0.0,
+    remembered_doubting: 0.0,
+    doubting: Doubting::Never,
+    block: 0,
+    trying: 0.0,
+    trying_acting: 0.0,
+    patience: 0,
+    burst: 0,
+    heard: Heard::NOBODY,
+    model_discount: 0.0,
+    remembered: 0.0,
+    prior: 0.0,
+    felt: 0.0,
+    spread: 0,
+    work: 0,
+};
+
+fn halves<const ACTIONS: usize>(one: [f32; ACTIONS], other: [f32; ACTIONS]) -> [f32; ACTIONS] {
+    let mut mean = one;
+    for (mean, other) in mean.iter_mut().zip(other) {
+        *mean = 0.5 * (*mean + other);
+    }
+    mean
+}
+
+fn check_reward(reward: f32) -> Result<(), MindError> {
+    if (-MOST_REWARD..=MOST_REWARD).contains(&reward) {
+        Ok(())
+    } else {
+        Err(MindError::Reward)
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+    const ROWS: usize,
+    const STATES: usize,
+    const LINKS: usize,
+> Default for Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+#[cfg(test)]
+#[path = "mind_tests.rs"]
+mod tests;

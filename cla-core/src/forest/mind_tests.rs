@@ -1,0 +1,283 @@
+//! Whole lives in small worlds: what the learner finds, avoids, refuses and keeps apart.
+
+use super::{Actions, Heard, Mind, MindConfig, MindError, Voice};
+use crate::forest::{Feature, Motive};
+use crate::num::Rng;
+use crate::word::{ActionId, ItemId, ItemStates};
+
+type Small = Mind<1, 8, 3, 64, 48, 64, 64, 256>;
+
+fn born(values: &[(u16, f32)], seed: u64) -> std::boxed::Box<Small> {
+    let mut all = [0.0; 8];
+    for &(item, value) in values {
+        all[usize::from(item)] = value;
+    }
+    let mut mind = std::boxed::Box::new(Small::new());
+    mind.begin(MindConfig::DEFAULT, all, seed).unwrap();
+    mind
+}
+
+fn at(place: u16) -> ItemStates<1> {
+    let mut now = ItemStates::all_off(8);
+    now.set(ItemId(place), Some(true)).unwrap();
+    now
+}
+
+/// Five places in a row: action 0 leads back, 1 leads on, 2 stays; at the last place item 5 is on.
+fn step(place: u16, action: ActionId) -> u16 {
+    match action.0 {
+        0 => place.saturating_sub(1),
+        1 => (place + 1).min(5),
+        _ => place,
+    }
+}
+
+/// Lives in the corridor, thrown back when it arrives; answers how often it arrived.
+fn corridor(mind: &mut Small, actions: u32) -> u32 {
+    let (mut place, mut arrived) = (0, 0);
+    for _ in 0..actions {
+        let choice = mind.choose(&at(place)).unwrap();
+        place = step(place, choice.action);
+        mind.learn(&at(place)).unwrap();
+        if place == 5 {
+            arrived += 1;
+            mind.interrupt().unwrap();
+            place = 0;
+        }
+    }
+    arrived
+}
+
+#[test]
+fn a_delayed_reward_is_found_and_walked_to_without_detours() {
+    for seed in 0..5 {
+        let mut mind = born(&[(5, 10.0)], seed);
+        corridor(&mut mind, 3_000);
+        mind.act().unwrap();
+        let arrived = corridor(&mut mind, 500);
+        assert!(arrived >= 95, "seed {seed}: {arrived} of 100");
+    }
+}
+
+#[test]
+fn the_same_seed_lives_the_same_life_and_another_seed_another() {
+    let lives = |seed| {
+        let mut mind = born(&[(5, 10.0)], seed);
+        let mut deeds = std::vec::Vec::new();
+        let mut place = 0;
+        for _ in 0..600 {
+            let choice = mind.choose(&at(place)).unwrap();
+            deeds.push((choice.action, choice.value.to_bits()));
+            place = step(place, choice.action) % 5;
+            mind.learn(&at(place)).unwrap();
+        }
+        deeds
+    };
+    assert_eq!(lives(3), lives(3));
+    assert_ne!(lives(3), lives(4));
+}
+
+#[test]
+fn harm_is_avoided() {
+    // Action 1 brings what item 6 means, action 0 harm, action 2 nothing.
+    let mut mind = born(&[(6, 1.0), (7, -1.0)], 2);
+    let mut harmed = [0, 0];
+    for harmed in &mut harmed {
+        for _ in 0..1_000 {
+            let choice = mind.choose(&at(0)).unwrap();
+            let mut after = at(0);
+            let item = [7, 6, 1][usize::from(choice.action.0)];
+            after.set(ItemId(item), Some(true)).unwrap();
+            let taught = mind.learn(&after).unwrap();
+            assert_eq!(
+                taught.reward,
+                [-1.0, 1.0, 0.0][usize::from(choice.action.0)]
+            );
+            *harmed += u32::from(choice.action == ActionId(0));
+        }
+        mind.act().unwrap();
+    }
+    assert!(harmed[0] > 5 && harmed[1] <= 5, "{harmed:?}");
+}
+
+#[test]
+fn where_everything_harms_it_does_what_harms_least() {
+    let mut mind = born(&[], 6);
+    let mut least = 0;
+    for step in 0..2_000 {
+        if step == 1_000 {
+            mind.act().unwrap();
+        }
+        let choice = mind.choose(&at(0)).unwrap();
+        let reward = [-3.0, -1.0, -2.0][usize::from(choice.action.0)];
+        mind.learn_with(&at(0), reward).unwrap();
+        least += u32::from(step >= 1_000 && choice.action == ActionId(1));
+    }
+    assert!(least > 950, "{least}");
+}
+
+#[test]
+fn nothing_is_learned_across_an_interruption() {
+    // Place 1 is left by interruption, and the next episode begins beside a reward.
+    let lives = |interrupted: bool| {
+        // Trees alone: the constant of habits is worth something everywhere.
+        let trees = MindConfig {
+            heard: Heard::only(Voice::Trees),
+            ..MindConfig::DEFAULT
+        };
+        let mut mind = born(&[(5, 10.0)], 8);
+        mind.begin(trees, [0.0, 0.0, 0.0, 0.0, 0.0, 10.0, 0.0, 0.0], 8)
+            .unwrap();
+        for _ in 0..300 {
+            mind.choose(&at(1)).unwrap();
+            mind.learn(&at(1)).unwrap();
+            if interrupted {
+                mind.interrupt().unwrap();
+            }
+            mind.choose(&at(4)).unwrap();
+            mind.learn(&at(5)).unwrap();
+            mind.interrupt().unwrap();
+        }
+        mind.act().unwrap();
+        mind.choose(&at(1)).unwrap().value
+    };
+    let (apart, joined) = (lives(true), lives(false));
+    assert!(joined > 4.0, "{joined}");
+    assert!(apart.abs() < 0.25 * joined, "{apart}");
+}
+
+#[test]
+fn only_what_is_allowed_is_chosen() {
+    let mut mind = born(&[(5, 10.0)], 1);
+    corridor(&mut mind, 2_000);
+    let not_on = Actions::ALL.without(ActionId(1));
+    for _ in 0..200 {
+        let choice = mind.choose_among(&at(4), not_on).unwrap();
+        assert_ne!(choice.action, ActionId(1));
+        mind.learn(&at(4)).unwrap();
+    }
+    let nothing = mind.choose_among(&at(4), Actions::NONE);
+    assert_eq!(nothing, Err(MindError::NothingAllowed));
+    // Action 3 does not exist.
+    let none = mind.choose_among(&at(4), Actions::NONE.with(ActionId(3)));
+    assert_eq!(none, Err(MindError::NothingAllowed));
+}
+
+#[test]
+fn a_teacher_is_learned_from_without_an_own_action() {
+    let mut mind = born(&[(5, 10.0)], 5);
+    let mut rng = Rng::new(21);
+    for _ in 0..200 {
+        let mut place = 0;
+        while place < 5 {
+            let action = ActionId(if rng.chance(0.8) {
+                1
+            } else {
+                rng.below(3) as u16
+            });
+            let next = step(place, action);
+            mind.observe(&at(place), action, &at(next)).unwrap();
+            place = next;
+        }
+        mind.interrupt().unwrap();
+    }
+    mind.act().unwrap();
+    let arrived = corridor(&mut mind, 100);
+    assert!(arrived >= 17, "{arrived} of 20");
+    let beyond = mind.observe(&at(0), ActionId(3), &at(0));
+    assert_eq!(beyond, Err(MindError::NoSuchAction(ActionId(3))));
+}
+
+#[test]
+fn what_cannot_be_is_refused_and_teaches_nothing() {
+    let mut mind = Small::new();
+    assert_eq!(mind.choose(&at(0)), Err(MindError::Unborn));
+    assert_eq!(mind.learn(&at(0)), Err(MindError::Unborn));
+    assert_eq!(mind.interrupt(), Err(MindError::Unborn));
+    assert_eq!(mind.act(), Err(MindError::Unborn));
+    assert!(!mind.pending() && !mind.idle(1_000));
+    let mut values = [0.0; 8];
+    values[0] = f32::NAN;
+    assert_eq!(
+        mind.begin(MindConfig::DEFAULT, values, 1),
+        Err(MindError::Reward)
+    );
+    let mut mind = born(&[], 1);
+    assert_eq!(mind.learn(&at(0)), Err(MindError::NothingChosen));
+    mind.choose(&at(0)).unwrap();
+    for reward in [f32::NAN, f32::INFINITY, -f32::INFINITY, 1.1e4, -1.1e4] {
+        assert_eq!(mind.learn_with(&at(0), reward), Err(MindError::Reward));
+    }
+    assert_eq!(mind.size().0, 0);
+    mind.learn_with(&at(0), 1.0e4).unwrap();
+    assert_eq!(mind.size().0, 1);
+    assert_eq!(mind.learn(&at(0)), Err(MindError::NothingChosen));
+}
+
+#[test]
+fn the_greatest_rewards_and_harms_give_finite_values_for_ever() {
+    let mut mind = born(&[], 3);
+    let mut rng = Rng::new(31);
+    for _ in 0..5_000 {
+        let place = rng.below(5) as u16;
+        let choice = mind.choose(&at(place)).unwrap();
+        assert!(choice.value.is_finite());
+        let reward = if rng.chance(0.5) { 1.0e4 } else { -1.0e4 };
+        mind.learn_with(&at(place), reward).unwrap();
+    }
+}
+
+#[test]
+fn work_is_pending_while_trees_grow_and_idle_time_ends_it() {
+    let mut mind = std::boxed::Box::new(Small::new());
+    let slow = MindConfig {
+        work: 10,
+        ..MindConfig::DEFAULT
+    };
+    mind.begin(slow, [0.0; 8], 1).unwrap();
+    for place in 0..200 {
+        mind.choose(&at(place % 5)).unwrap();
+        mind.learn_with(&at(0), f32::from(place % 3)).unwrap();
+    }
+    assert!(mind.pending());
+    let before = mind.size().2;
+    mind.idle(1_000_000);
+    assert!(!mind.pending());
+    assert!(mind.size().2 > before);
+}
+
+#[test]
+fn leaves_are_shown_as_contexts() {
+    let mut mind = born(&[(5, 10.0)], 1);
+    corridor(&mut mind, 2_000);
+    let mut best: Option<(f32, std::vec::Vec<(Feature, bool)>)> = None;
+    mind.contexts(ActionId(1), |context, value| {
+        if best.as_ref().is_none_or(|(most, _)| value > *most) {
+            best = Some((value, context.to_vec()));
+        }
+    });
+    // Going on is worth most at the last place.
+    let (_, context) = best.unwrap();
+    assert!(
+        context.contains(&(Feature::Now(ItemId(4)), true)),
+        "{context:?}"
+    );
+}
+
+#[test]
+fn it_escapes_only_where_something_was_earned_before() {
+    let escapes = |earns: bool| {
+        let mut mind = born(&[(5, 10.0)], 9);
+        corridor(&mut mind, if earns { 1_000 } else { 0 });
+        mind.act().unwrap();
+        let mut escapes = 0;
+        for _ in 0..1_000 {
+            let choice = mind.choose(&at(0)).unwrap();
+            escapes += u32::from(choice.motive == Motive::Escape);
+            mind.learn_with(&at(0), -0.1).unwrap();
+        }
+        escapes
+    };
+    assert!(escapes(true) >= 50);
+    assert_eq!(escapes(false), 0);
+}

@@ -1,0 +1,34 @@
+//! One learner for all worlds: contexts that say no more than they must, habits beside them, and a
+//! track record that decides which of them leads.
+//!
+//! What happened goes into a bounded memory of samples (`memory`); from it context trees grow, a few
+//! units of work a tick (`budget`, `tally`, `growth`, `tree`, `trees`), which also say which items
+//! matter (`relevance`).
+//! Habits learn at once from what was felt (`sarsa`), a model counts what follows what (`model`).
+//! Voices lead in turn (`voices`); senses that got stuck are not believed (`runs`); when rewards stay
+//! away new experience counts for more (`doubt`); the whole is a [`Mind`] (`config`, `mind`).
+//! It stands on words and `num` only, and knows nothing of maps.
+
+mod budget;
+mod config;
+mod doubt;
+mod growth;
+mod inspect;
+mod memory;
+mod mind;
+mod model;
+mod moment;
+mod relevance;
+mod runs;
+mod sarsa;
+mod step;
+mod tally;
+mod tree;
+mod trees;
+mod voices;
+
+pub use budget::WorkBudget;
+pub use config::{Doubting, Heard, MindConfig, MindConfigError, Voice};
+pub use mind::Mind;
+pub use moment::Feature;
+pub use step::{Actions, Deliberation, MOST_REWARD, MindError, Motive, Taught};

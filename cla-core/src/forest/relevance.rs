@@ -1,0 +1,96 @@
+//! Which items matter: a running mean of how clearly each tells values apart, and a mask.
+//!
+//! What is keyed by whole percepts (the trace of the habits) looks through this mask, so that items
+//! which blink at random fill no table; contexts ask more of an item outside of it.
+
+use super::moment::Feature;
+use crate::word::{ItemId, ItemSet};
+
+/// An item above this joins the mask.
+const JOINS: f32 = 30.0;
+/// An item below this leaves it.
+const LEAVES: f32 = 15.0;
+/// How much of the running mean stays.
+const KEPT: f32 = 0.8;
+
+/// The relevance of every item.
+#[derive(Clone, Debug)]
+pub(super) struct Relevance<const WORDS: usize, const ITEMS: usize> {
+    /// The clearest split of each item while the present trees grow, an F statistic.
+    clearest: [f32; ITEMS],
+    mean: [f32; ITEMS],
+    mask: ItemSet<WORDS>,
+    /// Whether any trees were grown yet.
+    told: bool,
+}
+
+impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
+    pub(super) const fn new() -> Self {
+        Self {
+            clearest: [0.0; ITEMS],
+            mean: [0.0; ITEMS],
+            mask: ItemSet::EMPTY,
+            told: false,
+        }
+    }
+
+    /// Every item matters until more is known.
+    pub(super) fn begin(&mut self) {
+        *self = Self::new();
+        self.mask = ItemSet::first(ITEMS as u16);
+    }
+
+    pub(super) const fn mask(&self) -> &ItemSet<WORDS> {
+        &self.mask
+    }
+
+    pub(super) fn mean(&self, item: ItemId) -> f32 {
+        self.mean.get(usize::from(item.0)).copied().unwrap_or(0.0)
+    }
+
+    /// Whether a feature is about an item outside of the mask.
+    pub(super) fn is_doubtful(&self, feature: u8) -> bool {
+        match Feature::of::<ITEMS>(feature) {
+            Feature::Now(item) | Feature::Before(item) => !self.mask.contains(item),
+            Feature::After(_) => false,
+        }
+    }
+
+    /// A split of this feature would tell values apart this clearly.
+    pub(super) fn note(&mut self, feature: u8, clear: f32) {
+        if let Feature::Now(item) | Feature::Before(item) = Feature::of::<ITEMS>(feature)
+            && let Some(clearest) = self.clearest.get_mut(usize::from(item.0))
+            && clear > *clearest
+        {
+            *clearest = clear;
+        }
+    }
+
+    /// Trees have grown; answers whether the mask has changed.
+    ///
+    /// Items leave only where tables are crowded: elsewhere it costs nothing to look at them.
+    pub(super) fn settle(&mut self, crowded: bool) -> bool {
+        let before = self.mask;
+        for (index, (mean, clearest)) in self.mean.iter_mut().zip(&mut self.clearest).enumerate() {
+            *mean = if self.told {
+                KEPT * *mean + (1.0 - KEPT) * *clearest
+            } else {
+                *clearest
+            };
+            *clearest = 0.0;
+            let item = ItemId(index as u16);
+            if *mean > JOINS {
+                // An item of this learner fits its set.
+                let _ = self.mask.insert(item);
+            } else if crowded && *mean < LEAVES {
+                self.mask.remove(item);
+            }
+        }
+        self.told = true;
+        self.mask != before
+    }
+}
+
+#[cfg(test)]
+#[path = "relevance_tests.rs"]
+mod tests;

@@ -1,0 +1,155 @@
+//! What a mind says of a step: the action it chose and why, what it was taught, what it cannot do;
+//! and the actions that a choice is made among.
+
+use core::fmt;
+
+use super::config::{MindConfigError, Voice};
+use crate::word::ActionId;
+
+/// The greatest reward, and the greatest harm, of one action.
+pub const MOST_REWARD: f32 = 1.0e4;
+
+/// A set of actions, for a choice among some of them.
+///
+/// ```
+/// use cla_core::word::ActionId;
+/// use cla_core::forest::Actions;
+/// let some = Actions::NONE.with(ActionId(2)).with(ActionId(5));
+/// assert!(some.contains(ActionId(2)) && !some.contains(ActionId(3)));
+/// assert!(Actions::ALL.without(ActionId(3)).contains(ActionId(4)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Actions(u32);
+
+impl Actions {
+    /// Every action.
+    pub const ALL: Self = Self(u32::MAX);
+    /// No action.
+    pub const NONE: Self = Self(0);
+
+    const fn bit(action: ActionId) -> u32 {
+        if action.0 < 32 { 1 << action.0 } else { 0 }
+    }
+
+    /// With an action more; actions above 31 do not exist.
+    #[must_use]
+    pub const fn with(self, action: ActionId) -> Self {
+        Self(self.0 | Self::bit(action))
+    }
+
+    /// Without an action.
+    #[must_use]
+    pub const fn without(self, action: ActionId) -> Self {
+        Self(self.0 & !Self::bit(action))
+    }
+
+    /// Whether an action is in the set.
+    #[must_use]
+    pub const fn contains(self, action: ActionId) -> bool {
+        self.0 & Self::bit(action) != 0
+    }
+}
+
+/// What an action is chosen for.
+///
+/// ```
+/// use cla_core::forest::{Motive, Voice};
+/// assert_ne!(Motive::Voice(Voice::Trees), Motive::Chance);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Motive {
+    /// This voice says so.
+    Voice(Voice),
+    /// It tries something.
+    Chance,
+    /// Nothing was earned for so long that anything else is better.
+    Escape,
+}
+
+/// An action, and why.
+///
+/// ```
+/// use cla_core::word::{ActionId, ItemStates};
+/// use cla_core::forest::{Mind, MindConfig};
+/// let mut mind = Mind::<1, 2, 3, 16, 32, 32, 64, 256>::new();
+/// mind.begin(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
+/// let choice = mind.choose(&ItemStates::all_off(2))?;
+/// assert!(choice.action < ActionId(3));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Deliberation {
+    /// What to do.
+    pub action: ActionId,
+    /// What the leading voice holds it to be worth, in discounted rewards.
+    pub value: f32,
+    /// Who decided.
+    pub motive: Motive,
+}
+
+/// Why a mind cannot do what it is asked.
+///
+/// ```
+/// use cla_core::word::ItemStates;
+/// use cla_core::forest::{Mind, MindError};
+/// let mut mind = Mind::<1, 2, 3, 16, 32, 32, 64, 256>::new();
+/// assert_eq!(mind.learn(&ItemStates::all_off(2)), Err(MindError::Unborn));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum MindError {
+    /// It has not begun; nothing was learned.
+    Unborn,
+    /// The configuration cannot work; it is as it was.
+    Config(MindConfigError),
+    /// A reward, or what an item is worth, is no number or beyond [`MOST_REWARD`]; nothing was
+    /// learned.
+    Reward,
+    /// No action is allowed; nothing was chosen.
+    NothingAllowed,
+    /// Nothing was chosen whose result this could be; nothing was learned.
+    NothingChosen,
+    /// There is no such action; nothing was learned.
+    NoSuchAction(ActionId),
+}
+
+impl fmt::Display for MindError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unborn => f.write_str("the mind has not begun"),
+            Self::Config(error) => error.fmt(f),
+            Self::Reward => write!(
+                f,
+                "a reward is a number from −{MOST_REWARD} to {MOST_REWARD}"
+            ),
+            Self::NothingAllowed => f.write_str("no action is allowed"),
+            Self::NothingChosen => f.write_str("nothing was chosen whose result this could be"),
+            Self::NoSuchAction(action) => write!(f, "there is no action {}", action.0),
+        }
+    }
+}
+
+impl core::error::Error for MindError {}
+
+/// What a step has taught.
+///
+/// ```
+/// use cla_core::word::ItemStates;
+/// use cla_core::forest::{Mind, MindConfig};
+/// let mut mind = Mind::<1, 2, 3, 16, 32, 32, 64, 256>::new();
+/// mind.begin(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
+/// mind.choose(&ItemStates::all_off(2))?;
+/// let taught = mind.learn_with(&ItemStates::all_off(2), -0.5)?;
+/// assert_eq!(taught.reward, -0.5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Taught {
+    /// What the action brought: the values of the items that are on, and what was given beside.
+    pub reward: f32,
+    /// Whether other items matter from now on.
+    pub refocused: bool,
+}
