@@ -6,6 +6,7 @@
 
 pub mod controller;
 pub mod forager;
+pub mod mind;
 pub mod native;
 pub mod rewarded;
 
