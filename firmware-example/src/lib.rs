@@ -12,6 +12,7 @@ pub mod fingerprint;
 pub mod hal;
 pub mod link;
 pub mod meter;
+pub mod mind;
 pub mod replay;
 pub mod trace;
 

@@ -11,6 +11,7 @@ use cla_core::agent::{Adaptation, Agent, AgentConfig};
 use cla_core::forager::{pioneer, small};
 use cla_core::som::Prototypes;
 use cla_core::word::ActionId;
+use firmware_example::mind;
 use firmware_example::replay::{Echo, Forager, acting_at, relive, second_level_at};
 use firmware_example::trace::{self, ACTIONS, SEED, Step};
 use host_sim::device::board::{Build, Printed};
@@ -21,6 +22,9 @@ use host_sim::learner::{Learner, live};
 use host_sim::world;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::pioneer::Pioneer;
+
+/// Instructions that a tick of the learner for any world may take on a Cortex-M4F.
+const MOST: u32 = 120_000;
 
 /// The life on this machine.
 fn on_host<
@@ -93,6 +97,30 @@ fn the_brain_for_small_parts_has_the_same_bits_too() {
         &on_host(small::brain(), ACTIONS / 10),
         &in_qemu(Target::M0, "small"),
     );
+}
+
+/// The number after a word of what a board printed.
+fn printed(text: &str, line: &str, word: &str) -> u32 {
+    let line = text.lines().find(|it| it.starts_with(line));
+    let mut words = line.unwrap_or_default().split_whitespace();
+    words.find(|&it| it == word);
+    let number = words.next().and_then(|it| it.parse().ok());
+    number.unwrap_or_else(|| panic!("{word} of {line:?}"))
+}
+
+#[test]
+fn the_learner_for_any_world_has_the_same_bits_on_the_cortex_m4f_in_bounded_ticks() {
+    let mut mind = Box::new(mind::Forager::new());
+    let life = mind::relive(&mut mind, ACTIONS, |_| {}).expect("the recording is whole");
+    let build = Build::new(Target::M4f, "mind");
+    let board = run_once(&build).text().to_owned();
+    assert!(
+        board.starts_with(&format!("life {life}\n")),
+        "{life}, {board}"
+    );
+    let choose = printed(&board, "choose", "worst");
+    let learn = printed(&board, "learn", "worst");
+    assert!(choose > 0 && learn > 0 && choose + learn <= MOST, "{board}");
 }
 
 #[test]

@@ -1,0 +1,54 @@
+//! The learner for any world, along the recording: it chooses at every percept, and is shown what the
+//! recorded robot did there.
+//!
+//! So a tick does everything that a tick of a life does, and host and board can be compared to the
+//! bit without a world on the board.
+
+use cla_core::forest::{Mind, MindConfig, MindError};
+
+use crate::fingerprint::Fingerprint;
+use crate::trace;
+
+/// The forager's learner: 7168 samples, 200 leaves, 512 rows, 512 states and 2048 links.
+pub type Forager = Mind<1, 7, 6, 448, 200, 512, 512, 2048>;
+
+/// What a specimen is worth: item 5 is `ingrip`.
+const VALUES: [f32; 7] = [0.0, 0.0, 0.0, 0.0, 0.0, 10.0, 0.0];
+
+/// Relives the first `actions` recorded actions; `tick` is called after a choice and after what was
+/// learned from it. Answers a number that stands for every choice and value.
+///
+/// # Errors
+/// [`MindError`] when the mind refuses.
+pub fn relive(
+    mind: &mut Forager,
+    actions: u32,
+    mut tick: impl FnMut(Part),
+) -> Result<Fingerprint, MindError> {
+    let mut print = Fingerprint::new();
+    mind.begin(MindConfig::DEFAULT, VALUES, trace::SEED)?;
+    for step in trace::steps(actions) {
+        if !step.reflex {
+            tick(Part::Sensed);
+            let choice = mind.choose(&step.before)?;
+            tick(Part::Chosen);
+            print.number(u32::from(choice.action.0));
+            print.float(choice.value);
+        }
+        tick(Part::Sensed);
+        mind.observe(&step.before, step.action, &step.after)?;
+        tick(Part::Learned);
+    }
+    Ok(print)
+}
+
+/// Where a tick is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Nothing of the mind's has happened.
+    Sensed,
+    /// An action was chosen.
+    Chosen,
+    /// What it led to was learned, and work was done.
+    Learned,
+}
