@@ -63,6 +63,7 @@ fn a_state_is_worth_the_sum_of_what_is_on_for_its_own_sake() {
     it.set_inherent_value(GOLD, 0.0).unwrap();
     assert_eq!(it.reward(&on(&[C, GOLD])), 1.0);
     assert_eq!((it.inherent_value(C), it.inherent_value(GOLD)), (1.0, 0.0));
+    assert!(it.valued.contains(C) && !it.valued.contains(GOLD));
     assert_eq!(it.inherent_value(ItemId(99)), 0.0);
 }
 

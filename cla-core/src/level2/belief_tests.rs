@@ -173,6 +173,13 @@ fn an_item_out_of_use_goes_before_one_that_is_hardly_used() {
     // So many occasions after the first was met, and one more for the third.
     assert_eq!(unmet(super::OUT_OF_USE), Some(SyntheticId(0)));
     assert_eq!(unmet(super::OUT_OF_USE - 1), Some(SyntheticId(1)));
+    // Of two that were not met for as long the first goes.
+    let mut it = table();
+    for _ in 0..=super::OUT_OF_USE {
+        it.meet(SyntheticId(0));
+        live(&mut it, 0, 1);
+    }
+    assert_eq!(it.add(SchemaId(9), STAY, 0.0), Some(SyntheticId(1)));
 }
 
 #[test]
