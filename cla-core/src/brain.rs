@@ -1,21 +1,94 @@
 //! The one place where a robot is described: names, values, capacities (book, tables 6.1 and 6.2).
 
+/// What `brain!` needs and nobody else: the message for too little RAM.
+#[doc(hidden)]
+pub mod message {
+    /// A sentence that a constant can make.
+    pub struct Message {
+        text: [u8; 96],
+        length: usize,
+    }
+
+    // Evaluated at compile time only: no panic is left in the code.
+    #[allow(clippy::indexing_slicing)]
+    impl Message {
+        /// How many bytes a brain takes, and how many it may take.
+        #[must_use]
+        pub const fn of_ram(takes: usize, may_take: usize) -> Self {
+            let empty = Self {
+                text: [0; 96],
+                length: 0,
+            };
+            let takes = empty.add("the brain takes ").number(takes);
+            let limit = takes.add(" bytes, and `ram` allows ").number(may_take);
+            limit.add(": allow more, or give it less")
+        }
+
+        const fn add(mut self, words: &str) -> Self {
+            let words = words.as_bytes();
+            let mut at = 0;
+            while at < words.len() {
+                self.text[self.length] = words[at];
+                self.length += 1;
+                at += 1;
+            }
+            self
+        }
+
+        /// As it is written in Rust: `12_000`.
+        const fn number(mut self, number: usize) -> Self {
+            let mut place = 1;
+            let mut digits = 1;
+            while number / place >= 10 {
+                place *= 10;
+                digits += 1;
+            }
+            while place > 0 {
+                self.text[self.length] = b'0' + (number / place % 10) as u8;
+                self.length += 1;
+                place /= 10;
+                digits -= 1;
+                if digits > 0 && digits % 3 == 0 {
+                    self.text[self.length] = b'_';
+                    self.length += 1;
+                }
+            }
+            self
+        }
+
+        /// The sentence.
+        #[must_use]
+        pub const fn as_str(&self) -> &str {
+            let (text, _) = self.text.split_at(self.length);
+            match core::str::from_utf8(text) {
+                Ok(text) => text,
+                Err(_) => "the brain takes more bytes than `ram` allows",
+            }
+        }
+    }
+}
+
 /// Describes a robot's brain: its items, actions, valued items, capacities and memory.
 ///
 /// Makes a module with
 /// - `Item` and `Action`, enums of the names, each with `id()`;
-/// - `VOCABULARY`, the names for printing;
+/// - `VOCABULARY`, the names for printing, and `VALUES`, what is worth having;
 /// - `Brain`, the [`Agent`](crate::agent::Agent) of these capacities;
-/// - `brain()`, a `const` constructor, and `be_born(&mut Brain, config, seed)`, which begins it and
-///   sets the inherent values;
+/// - `brain()`, a `const` constructor, and `be_born(&mut Brain, config, seed)`, its birth with these
+///   values: before it the brain refuses to choose and to learn;
 /// - `RAM`, the bytes that it costs, all of them in `.bss`.
+///
+/// The keys may stand in any order: `items`, `actions`, `values`, `maps`, `patterns`, `schemas`,
+/// `ram`, and for a second level `synthetic` and `beliefs`.
+/// A key that is missing is named, one that is unknown or stands twice is pointed at, and so is a
+/// value of something that is no item.
 ///
 /// A map's weight takes four bytes, or one with `maps: 6 x 6 of bytes`, which is for parts that are
 /// small or have no floating-point unit: a numerics of its own, with the same bits everywhere.
 ///
-/// A brain larger than its `ram` does not compile:
+/// A brain larger than its `ram` does not compile, and the error says how many bytes it takes:
 ///
-/// ```compile_fail
+/// ```compile_fail,E0080
 /// cla_core::brain! {
 ///     /// Too large for its part.
 ///     pub mod tiny {
@@ -25,7 +98,38 @@
 ///         maps: 20 x 20,
 ///         patterns: 16,
 ///         schemas: 16,
-///         ram: 1_000,
+///         ram: 1_000, // the brain takes 19_592 bytes, and `ram` allows 1_000
+///     }
+/// }
+/// ```
+///
+/// A valued item that the robot does not have, and one that is valued twice:
+///
+/// ```compile_fail,E0599
+/// cla_core::brain! {
+///     mod moth {
+///         ram: 9_000, items: [light], actions: [go], values: [lamp = 1.0],
+///         maps: 2 x 2, patterns: 16, schemas: 16,
+///     }
+/// }
+/// ```
+///
+/// ```compile_fail,E0428
+/// cla_core::brain! {
+///     mod moth {
+///         ram: 9_000, items: [light], actions: [go], values: [light = 1.0, light = 2.0],
+///         maps: 2 x 2, patterns: 16, schemas: 16,
+///     }
+/// }
+/// ```
+///
+/// A key that stands twice:
+///
+/// ```compile_fail,E0428
+/// cla_core::brain! {
+///     mod moth {
+///         ram: 9_000, items: [light], actions: [go], values: [light = 1.0],
+///         maps: 2 x 2, patterns: 16, patterns: 32, schemas: 16,
 ///     }
 /// }
 /// ```
@@ -45,34 +149,81 @@
 ///         ram: 9_000,
 ///     }
 /// }
-/// use cla_core::agent::AgentConfig;
+/// use cla_core::AgentConfig;
 /// let mut brain = moth::brain();
 /// moth::be_born(&mut brain, AgentConfig::FORAGER, 1)?;
 /// assert!(moth::RAM <= 9_000);
 /// assert_eq!(moth::VOCABULARY.items[2], "at_lamp");
-/// # Ok::<(), cla_core::check::ConfigError>(())
+/// # Ok::<(), cla_core::ConfigError>(())
 /// ```
 #[macro_export]
 macro_rules! brain {
-    (@map $width:literal, $height:literal) => {
-        $crate::som::BinarySom<$width, $height, { ITEMS.len() }>
+    (@map $items:expr; $width:literal, $height:literal) => {
+        $crate::som::BinarySom<$width, $height, { $items }>
     };
-    (@map $width:literal, $height:literal, bytes) => {
-        $crate::som::ByteSom<$width, $height, { ITEMS.len() }>
+    (@map $items:expr; $width:literal, $height:literal, bytes) => {
+        $crate::som::ByteSom<$width, $height, { $items }>
+    };
+    // The keys one by one: each is noted as it was written and its value put in its place.
+    (@keys $head:tt [$($seen:ident)*] $places:tt $key:ident: $($rest:tt)*) => {
+        $crate::brain! { @key $head [$($seen)* $key] $places $key: $($rest)* }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8] $($($rest)*)? }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8] $($($rest)*)? }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8] $($($rest)*)? }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8] $($($rest)*)? }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8] $($($rest)*)? }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8] $($($rest)*)? }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8] $($($rest)*)? }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8] $($($rest)*)? }
+    };
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new}] $($($rest)*)? }
+    };
+    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+        compile_error!("brain!: a key is missing: `items: [light, at_lamp]`");
+    };
+    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+        compile_error!("brain!: a key is missing: `actions: [left, right]`");
+    };
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+        compile_error!("brain!: a key is missing: `values: [at_lamp = 10.0]`");
+    };
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+        compile_error!("brain!: a key is missing: `maps: 6 x 6`");
+    };
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+        compile_error!("brain!: a key is missing: `patterns: 32`");
+    };
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt]) => {
+        compile_error!("brain!: a key is missing: `schemas: 128`");
+    };
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {}]) => {
+        compile_error!("brain!: a key is missing: `ram: 12_000`");
     };
     (
-        $(#[$meta:meta])*
-        $visibility:vis mod $name:ident {
-            items: [$($item:ident),+ $(,)?],
-            actions: [$($action:ident),+ $(,)?],
-            values: [$($valued:ident = $value:expr),+ $(,)?],
-            maps: $width:literal x $height:literal $(of $weights:ident)?,
-            patterns: $patterns:expr,
-            schemas: $schemas:expr,
-            $(synthetic: $synthetic:expr,
-            beliefs: $beliefs:expr,)?
-            ram: $ram:expr $(,)?
-        }
+        @keys { $(#[$meta:meta])* $visibility:vis mod $name:ident } [$($seen:ident)*]
+        [
+            { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
+            { $width:literal, $height:literal $(, $weights:ident)? }
+            { $patterns:expr } { $schemas:expr } { $($synthetic:expr)? } { $($beliefs:expr)? }
+            { $ram:expr }
+        ]
     ) => {
         $(#[$meta])*
         $visibility mod $name {
@@ -125,6 +276,25 @@ macro_rules! brain {
                 }
             }
 
+            /// What is worth having for its own sake.
+            pub const VALUES: &[($crate::word::ItemId, f32)] =
+                &[$((Item::$valued.id(), $value)),+];
+
+            // What stands twice is pointed at by the compiler, and so is a value that is no value.
+            const _: () = {
+                #[allow(dead_code, non_camel_case_types)]
+                enum Keys { $($seen),+ }
+                #[allow(dead_code, non_camel_case_types)]
+                enum Valued { $($valued),+ }
+                $(
+                    let value: f32 = $value;
+                    assert!(
+                        value.is_finite() && value > 0.0,
+                        concat!("the value of `", stringify!($valued), "` is not finite and above 0")
+                    );
+                )+
+            };
+
             /// Words of an item set.
             pub const WORDS: usize = ITEMS.len().div_ceil(32);
 
@@ -138,17 +308,21 @@ macro_rules! brain {
                 $width,
                 $height,
                 { ACTIONS.len() },
-                $patterns,
-                $schemas,
+                { $patterns },
+                { $schemas },
                 { 0 $(+ $synthetic)? },
                 { 0 $(+ $beliefs)? },
-                $crate::brain!(@map $width, $height $(, $weights)?),
+                $crate::brain!(@map ITEMS.len(); $width, $height $(, $weights)?),
             >;
 
             /// Bytes of static memory that a brain takes.
             pub const RAM: usize = core::mem::size_of::<Brain>();
 
-            const _: () = assert!(RAM <= $ram, "the brain is larger than the RAM it may take");
+            const _: () = assert!(
+                RAM <= $ram,
+                "{}",
+                $crate::brain::message::Message::of_ram(RAM, $ram).as_str()
+            );
 
             /// A brain before its birth: all memory zero.
             #[must_use]
@@ -156,26 +330,29 @@ macro_rules! brain {
                 Brain::zeroed()
             }
 
-            /// Begins a brain's life and says what is valuable.
+            /// A brain's birth: what is in `VALUES` is worth having from now on.
             ///
             /// # Errors
-            /// `ConfigError` for a configuration that cannot work.
+            /// `ConfigError` for a configuration that cannot work; the brain is as it was.
             pub fn be_born(
                 brain: &mut Brain,
                 config: $crate::agent::AgentConfig,
                 seed: u64,
             ) -> Result<(), $crate::check::ConfigError> {
-                brain.begin(config, seed)?;
-                $(
-                    const _: () = {
-                        let value: f32 = $value;
-                        assert!(value.is_finite() && value >= 0.0, "an inherent value is finite, not below 0");
-                    };
-                    // The item and the value were checked at compile time.
-                    let _ = brain.knowledge_mut().set_inherent_value(Item::$valued.id(), $value);
-                )+
-                Ok(())
+                brain.be_born(config, VALUES, seed)
             }
         }
     };
+    (
+        $(#[$meta:meta])*
+        $visibility:vis mod $name:ident { $($keys:tt)* }
+    ) => {
+        $crate::brain! {
+            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {}] $($keys)*
+        }
+    };
 }
+
+#[cfg(test)]
+#[path = "brain_tests.rs"]
+mod tests;

@@ -7,7 +7,8 @@
 //! [`choice`] (values, habits, rules) → [`level2`] (synthetic items) → [`adaptation`] (alarm, doubt) →
 //! [`agent`] (one life); [`forager`] describes the book's robot.
 //! [`growth`] is the other learner: it stands on the words alone.
-
+//!
+#![doc = include_str!("../glossary.md")]
 #![no_std]
 #![cfg_attr(
     not(test),
@@ -28,7 +29,8 @@ extern crate std;
 
 pub mod adaptation;
 pub mod agent;
-mod brain;
+#[doc(hidden)]
+pub mod brain;
 pub mod check;
 pub mod choice;
 pub mod forager;
@@ -41,3 +43,7 @@ pub mod map;
 pub mod num;
 pub mod som;
 pub mod word;
+
+pub use agent::{Adaptation, Agent, AgentConfig, AgentError, Choice, Lesson, Level, Reason, Stage};
+pub use check::ConfigError;
+pub use word::{ActionId, ItemId, ItemStates as Percept, SchemaText, Vocabulary};

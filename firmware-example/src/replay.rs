@@ -8,7 +8,7 @@ use core::fmt;
 
 use cla_core::agent::{Adaptation, Agent, AgentConfig, AgentError};
 use cla_core::check::ConfigError;
-use cla_core::forager::pioneer::{ITEMS, Item};
+use cla_core::forager::pioneer::{ITEMS, VALUES};
 use cla_core::som::{BinarySom, Prototypes};
 use cla_core::word::Cost;
 
@@ -93,12 +93,7 @@ pub fn be_born<
     config: AgentConfig,
     seed: u64,
 ) -> Result<(), ConfigError> {
-    brain.begin(config, seed)?;
-    // The item is one of the robot's and the value a number.
-    let _ = brain
-        .knowledge_mut()
-        .set_inherent_value(Item::ingrip.id(), 10.0);
-    Ok(())
+    brain.be_born(config, VALUES, seed)
 }
 
 /// Lives the first `actions` recorded actions with a brain that is born for it.
@@ -301,7 +296,7 @@ impl fmt::Display for Echo {
 }
 
 /// Why a recorded life could not be lived again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ReplayError {
     /// The brain could not be born.
     Config(ConfigError),

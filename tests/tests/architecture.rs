@@ -53,7 +53,7 @@ const STOREYS: [(&str, &[&str]); 15] = [
     ("check", &[]),
     ("num", &[]),
     ("som", &["num"]),
-    ("layer", &["num", "som"]),
+    ("layer", &["check", "num", "som"]),
     ("word", &["num"]),
     ("forest", &["num", "word"]),
     ("map", &["check", "num", "som", "word"]),
@@ -82,7 +82,7 @@ const STOREYS: [(&str, &[&str]); 15] = [
         ],
     ),
     // The other learner shares the words and nothing else.
-    ("growth", &["num", "word"]),
+    ("growth", &["check", "num", "word"]),
     ("brain", &["agent", "check", "som", "word"]),
     ("forager", &["brain"]),
 ];

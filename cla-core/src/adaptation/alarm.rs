@@ -2,7 +2,11 @@
 //!
 //! The book leaves this open (7.1.1); what follows an alarm is `doubt`.
 
+use crate::check::{Config, ConfigError, Range};
+
 /// When an agent is surprised, and what it does then.
+///
+/// In the field: change detection by a CUSUM of missing reward; optimism is an exploration bonus.
 ///
 /// ```
 /// use cla_core::adaptation::SurpriseConfig;
@@ -35,15 +39,14 @@ impl SurpriseConfig {
         doubt: 800,
         optimism: 3.0,
     };
+}
 
-    /// Whether the values make sense.
-    pub(crate) fn is_valid(&self) -> bool {
-        self.missing.is_finite()
-            && self.missing > 0.0
-            && (0.0..=1.0).contains(&self.enough)
-            && self.optimism.is_finite()
-            && self.optimism >= 0.0
-            && self.doubt > 0
+impl Config for SurpriseConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::ABOVE_ZERO.check("SurpriseConfig::missing", self.missing)?;
+        Range::SHARE.check("SurpriseConfig::enough", self.enough)?;
+        Range::AT_LEAST_ONE.check("SurpriseConfig::doubt", f32::from(self.doubt))?;
+        Range::NOT_NEGATIVE.check("SurpriseConfig::optimism", self.optimism)
     }
 }
 
@@ -54,9 +57,12 @@ const USUAL: f32 = 3000.0;
 /// Actions before the usual rate of rewards is known.
 const ACQUAINTED: u16 = 500;
 
-/// What an agent remembers of its surprises; all zero at first.
+/// The alarm itself, all zero at first.
+///
+/// In the field: a one-sided cumulative sum (CUSUM, Page 1954) of the shortfall of reward against a
+/// running mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Surprise {
+pub(crate) struct Alarm {
     missing: f32,
     /// Rewards an action, on average.
     usual: f32,
@@ -66,7 +72,7 @@ pub(crate) struct Surprise {
     alarms: u32,
 }
 
-impl Surprise {
+impl Alarm {
     pub(crate) const NONE: Self = Self {
         missing: 0.0,
         usual: 0.0,
@@ -125,7 +131,8 @@ impl Surprise {
 
 #[cfg(test)]
 mod tests {
-    use super::{Surprise, SurpriseConfig};
+    use super::{Alarm, SurpriseConfig};
+    use crate::check::Config;
 
     const CONFIG: SurpriseConfig = SurpriseConfig {
         missing: 8.0,
@@ -135,8 +142,8 @@ mod tests {
     };
 
     /// After so many actions of which every fourth is rewarded.
-    fn usual(actions: u32) -> Surprise {
-        let mut it = Surprise::NONE;
+    fn usual(actions: u32) -> Alarm {
+        let mut it = Alarm::NONE;
         for action in 0..actions {
             assert!(!it.feel(&CONFIG, action % 4 == 0));
         }
@@ -144,7 +151,7 @@ mod tests {
     }
 
     /// Actions without reward up to the alarm.
-    fn patience(mut it: Surprise) -> u32 {
+    fn patience(mut it: Alarm) -> u32 {
         let mut actions = 1;
         while !it.feel(&CONFIG, false) {
             actions += 1;
@@ -215,9 +222,9 @@ mod tests {
         ];
         for (index, spoil) in bad.into_iter().enumerate() {
             let mut config = CONFIG;
-            assert!(config.is_valid());
+            assert!(config.check().is_ok());
             spoil(&mut config);
-            assert!(!config.is_valid(), "{index}");
+            assert!(config.check().is_err(), "{index}");
         }
         let edge = SurpriseConfig {
             missing: 1e-3,
@@ -225,6 +232,6 @@ mod tests {
             doubt: 1,
             optimism: 0.0,
         };
-        assert!(edge.is_valid());
+        assert!(edge.check().is_ok());
     }
 }

@@ -19,15 +19,18 @@ const HOLD: [f32; 3] = [0.3, 0.3, 0.4];
 const LEAST: f32 = 0.005;
 /// Sweeps over all values after each weighing of evidence.
 const SWEEPS: u16 = 10;
-/// The evidence about one context and action since a doubt began.
+/// What the evidence since a doubt began says of one context and action.
+///
+/// In the field: the posterior over three strengths of a Dirichlet prior whose mean is the old model;
+/// the new model is their mixture.
 #[derive(Clone, Copy, Debug)]
-struct Evidence {
+struct Posterior {
     /// The probabilities of the [`STRENGTHS`]; they sum to 1.
     weights: [f32; 3],
     trials: f32,
 }
 
-impl Evidence {
+impl Posterior {
     /// The share of the old model in the new one, in `[0, 1]`.
     fn survival(&self) -> f32 {
         let mut survival = 0.0;
@@ -149,7 +152,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     }
 
     /// The evidence about a context and action, given how strong other models proved.
-    fn evidence(&self, context: PatternId, action: ActionId, prior: [f32; 3]) -> Evidence {
+    fn posterior(&self, context: PatternId, action: ActionId, prior: [f32; 3]) -> Posterior {
         let group = |schema: &&Schema| schema.context == context && schema.action == action;
         let mut logs = [0.0; 3];
         let mut trials = 0_u16;
@@ -169,7 +172,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 *log -= ln(strength + f32::from(trial));
             }
         }
-        Evidence {
+        Posterior {
             weights: normalized(logs, prior),
             trials: f32::from(trials),
         }
@@ -179,18 +182,18 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     /// when nothing is doubted.
     #[must_use]
     pub fn survival(&self, context: PatternId, action: ActionId) -> f32 {
-        self.evidence(context, action, HOLD).survival()
+        self.posterior(context, action, HOLD).survival()
     }
 
     /// How many observations of a context and action still count: those of a doubt, and as many
     /// older ones as the evidence lets the old model be worth, 1 to 100.
     pub(crate) fn hold(&self, context: PatternId, action: ActionId) -> f32 {
-        let evidence = self.evidence(context, action, HOLD);
+        let posterior = self.posterior(context, action, HOLD);
         let mut strength = 0.0;
-        for (weight, of) in evidence.weights.iter().zip(STRENGTHS) {
+        for (weight, of) in posterior.weights.iter().zip(STRENGTHS) {
             strength += weight * of;
         }
-        strength + evidence.trials
+        strength + posterior.trials
     }
 
     /// Rebuilds every doubted reliability from what survives of it and what was seen since.
@@ -204,8 +207,8 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         let mut groups = 1.0;
         for index in 0..self.schemas.len() {
             if let Some((context, action)) = self.tried_first(index) {
-                let evidence = self.evidence(context, action, HOLD);
-                for (sum, weight) in prior.iter_mut().zip(evidence.weights) {
+                let posterior = self.posterior(context, action, HOLD);
+                for (sum, weight) in prior.iter_mut().zip(posterior.weights) {
                     *sum += weight;
                 }
                 groups += 1.0;
@@ -215,14 +218,14 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             *sum /= groups;
         }
         self.over_groups(|it, context, action| {
-            let evidence = it.evidence(context, action, prior);
-            it.believe(context, action, &evidence);
+            let posterior = it.posterior(context, action, prior);
+            it.believe(context, action, &posterior);
         });
         self.settle_values::<ACTIONS>(SWEEPS, values);
         let best = self.best_places::<ACTIONS>(values);
         self.over_groups(|it, context, action| {
-            let evidence = it.evidence(context, action, prior);
-            let hope = evidence.hope(config.optimism);
+            let posterior = it.posterior(context, action, prior);
+            let hope = posterior.hope(config.optimism);
             let Some(state) = it.pattern(context) else {
                 return;
             };
@@ -284,16 +287,16 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         !self.schemas.iter().take(index).any(alike)
     }
 
-    fn believe(&mut self, context: PatternId, action: ActionId, evidence: &Evidence) {
-        let survival = evidence.survival();
+    fn believe(&mut self, context: PatternId, action: ActionId, posterior: &Posterior) {
+        let survival = posterior.survival();
         for schema in &mut self.schemas {
             if schema.context != context || schema.action != action {
                 continue;
             }
             schema.doubt.bonus = 0.0;
             let old = f32::from(schema.doubt.old) / 65_535.0;
-            let seen = if evidence.trials > 0.0 {
-                f32::from(schema.doubt.hits) / evidence.trials
+            let seen = if posterior.trials > 0.0 {
+                f32::from(schema.doubt.hits) / posterior.trials
             } else {
                 0.0
             };

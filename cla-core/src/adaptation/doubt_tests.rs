@@ -1,9 +1,8 @@
 //! What surprises an agent and what it makes of that, as tests.
 
 use super::{ActionId, KnowledgeBase, PatternId, SurpriseConfig};
-use crate::adaptation::Surprise;
+use crate::adaptation::Alarm;
 use crate::agent::{Adaptation, Agent, AgentConfig};
-use crate::check::ConfigError;
 use crate::choice::ValueConfig;
 use crate::knowledge::Estimate;
 use crate::word::{ItemId, ItemStates, SchemaText, Vocabulary};
@@ -16,11 +15,11 @@ const CONFIG: SurpriseConfig = SurpriseConfig::FORAGER;
 
 /// Alarms of 20,000 actions, of which `rewarded` says which are.
 fn alarms(rewarded: impl Fn(u32) -> bool) -> u32 {
-    let mut surprise = Surprise::NONE;
+    let mut alarm = Alarm::NONE;
     for action in 0..20_000 {
-        surprise.feel(&CONFIG, rewarded(action));
+        alarm.feel(&CONFIG, rewarded(action));
     }
-    surprise.alarms()
+    alarm.alarms()
 }
 
 #[test]
@@ -149,7 +148,9 @@ fn a_full_table_in_a_doubt_is_a_counted_loss() {
 #[test]
 fn a_surprise_that_cannot_work_is_refused_and_nothing_changes() {
     let mut agent = std::boxed::Box::new(Agent::<1, 3, 4, 4, 2, 16, 16>::new());
-    agent.begin(AgentConfig::RESILIENT, 1).unwrap();
+    agent
+        .be_born(AgentConfig::RESILIENT, &[(ItemId(2), 10.0)], 1)
+        .unwrap();
     let spoil: [fn(&mut SurpriseConfig); 5] = [
         |it| it.missing = f32::NAN,
         |it| it.missing = 0.0,
@@ -160,7 +161,8 @@ fn a_surprise_that_cannot_work_is_refused_and_nothing_changes() {
     for spoil in spoil {
         let mut config = CONFIG;
         spoil(&mut config);
-        assert_eq!(agent.set_surprise(Some(config)), Err(ConfigError::Surprise));
+        let refused = agent.set_surprise(Some(config)).unwrap_err();
+        assert!(refused.field.starts_with("SurpriseConfig::"), "{refused}");
     }
     assert_eq!(agent.set_surprise(None), Ok(()));
     // Without a surprise there is nothing to doubt with.
@@ -181,7 +183,9 @@ fn a_doubt_ends_with_what_it_needs() {
     ];
     for end in ends {
         let mut agent = std::boxed::Box::new(Agent::<1, 3, 4, 4, 2, 16, 16>::new());
-        agent.begin(AgentConfig::RESILIENT, 1).unwrap();
+        agent
+            .be_born(AgentConfig::RESILIENT, &[(ItemId(2), 10.0)], 1)
+            .unwrap();
         agent.act(Adaptation::Relearning).unwrap();
         agent.doubt();
         assert!(agent.doubts());
@@ -194,10 +198,8 @@ fn a_doubt_ends_with_what_it_needs() {
 fn the_same_seed_gives_the_same_doubt_to_the_bit() {
     let life = || {
         let mut agent = std::boxed::Box::new(Agent::<1, 3, 4, 4, 2, 16, 16>::new());
-        agent.begin(AgentConfig::RESILIENT, 7).unwrap();
         agent
-            .knowledge_mut()
-            .set_inherent_value(ItemId(2), 10.0)
+            .be_born(AgentConfig::RESILIENT, &[(ItemId(2), 10.0)], 7)
             .unwrap();
         let mut on = 0;
         for step in 0..4000_u32 {
@@ -229,7 +231,7 @@ fn a_doubt_of_an_agent_ends_after_its_actions_and_leaves_nothing_doubted() {
         surprise,
         ..AgentConfig::RESILIENT
     };
-    agent.begin(config, 1).unwrap();
+    agent.be_born(config, &[(ItemId(2), 10.0)], 1).unwrap();
     let live = |agent: &mut Agent<1, 3, 4, 4, 2, 16, 16>, steps: u32| {
         for _ in 0..steps {
             let action = agent.choose(&state(&[0])).unwrap().action;

@@ -8,4 +8,4 @@ mod doubt;
 
 pub use alarm::SurpriseConfig;
 
-pub(crate) use alarm::Surprise;
+pub(crate) use alarm::Alarm;

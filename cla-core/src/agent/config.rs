@@ -1,15 +1,17 @@
 //! Everything about an agent that is a choice, in one place, with the book's values by name.
 
 use crate::adaptation::SurpriseConfig;
-use crate::check::{ConfigError, is_share};
+use crate::check::{Checked, Config, ConfigError, Range, check_some};
 use crate::choice::{ChoiceRule, HabitConfig, ValueConfig};
 use crate::level2::Level2Config;
 use crate::map::{HarvestConfig, ResultCoding, TrainingConfig};
+use crate::word::ItemId;
 
 /// How an agent learns and chooses.
 ///
 /// ```
-/// use cla_core::agent::AgentConfig;
+/// use cla_core::AgentConfig;
+/// use cla_core::check::Config;
 /// use cla_core::choice::ChoiceRule;
 /// let config = AgentConfig { rule: ChoiceRule::Lexicographic, ..AgentConfig::FORAGER };
 /// assert!(config.check().is_ok());
@@ -68,6 +70,8 @@ pub enum Adaptation {
 
 /// Random actions after a long time without reward.
 ///
+/// In the field: a burst of random exploration.
+///
 /// The same coarse percept can hide different places, and a deterministic choice repeats itself.
 ///
 /// ```
@@ -88,7 +92,7 @@ pub struct Escape {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Settings {
     Absent,
-    Present(AgentConfig),
+    Present(Checked<AgentConfig>),
 }
 
 impl AgentConfig {
@@ -154,42 +158,41 @@ impl AgentConfig {
         surprise: Some(SurpriseConfig::FORAGER),
         ..Self::FORAGER_LEVEL2
     };
+}
 
-    /// Whether the values make sense together.
-    ///
-    /// # Errors
-    /// The first [`ConfigError`] found.
-    pub fn check(&self) -> Result<(), ConfigError> {
-        if !is_share(self.greedy_share) {
-            return Err(ConfigError::GreedyShare);
-        }
-        if !is_share(self.forgetting) {
-            return Err(ConfigError::Forgetting);
-        }
-        if !(0.0..1.0).contains(&self.values.discount) {
-            return Err(ConfigError::Discount);
-        }
-        let relevance = self.values.chain_relevance;
-        if !is_share(self.values.chain_reliability) || !relevance.is_finite() || relevance < 0.0 {
-            return Err(ConfigError::Chain);
-        }
-        if self.escape.is_some_and(|it| it.after == 0 || it.burst == 0) {
-            return Err(ConfigError::Escape);
-        }
-        if self.level2.is_some_and(|it| !it.is_sound()) {
-            return Err(ConfigError::Level2);
-        }
-        if self.surprise.is_some_and(|it| !it.is_valid()) {
-            return Err(ConfigError::Surprise);
-        }
-        if self.habits.is_some_and(|it| !it.is_sound()) {
-            return Err(ConfigError::Habits);
-        }
-        self.harvest.check()?;
-        if self.harvest_every == 0 || self.training_run == 0 {
-            return Err(ConfigError::NoActions);
-        }
-        self.training.check()?;
-        Ok(())
+impl Config for Escape {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::AT_LEAST_ONE.check("Escape::after", f32::from(self.after))?;
+        Range::AT_LEAST_ONE.check("Escape::burst", f32::from(self.burst))
     }
+}
+
+impl Config for AgentConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        self.training.check()?;
+        self.harvest.check()?;
+        let every = self.harvest_every as f32;
+        Range::AT_LEAST_ONE.check("AgentConfig::harvest_every", every)?;
+        self.values.check()?;
+        Range::SHARE.check("AgentConfig::forgetting", self.forgetting)?;
+        Range::SHARE.check("AgentConfig::greedy_share", self.greedy_share)?;
+        Range::AT_LEAST_ONE.check("AgentConfig::training_run", f32::from(self.training_run))?;
+        check_some(&self.surprise)?;
+        check_some(&self.escape)?;
+        check_some(&self.level2)?;
+        check_some(&self.habits)
+    }
+}
+
+/// Whether something is worth having, and all that is has a value and is one of `items` items.
+pub(crate) fn check_values(values: &[(ItemId, f32)], items: usize) -> Result<(), ConfigError> {
+    let mut most = 0.0;
+    for &(item, value) in values {
+        Range::below(items as f32).check("values: an item", f32::from(item.0))?;
+        Range::NOT_NEGATIVE.check("values: a value", value)?;
+        if value > most {
+            most = value;
+        }
+    }
+    Range::ABOVE_ZERO.check("values: the largest", most)
 }

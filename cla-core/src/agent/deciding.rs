@@ -3,6 +3,7 @@
 use super::config::{AgentConfig, Settings};
 use super::life::Agent;
 use super::step::{Choice, Level, Reason};
+use crate::check::Checked;
 use crate::choice::{Preference, Voice};
 use crate::level2::Fallback;
 use crate::som::Prototypes;
@@ -25,17 +26,17 @@ impl<
     pub(crate) fn prefer(&mut self, now: &ItemStates<WORDS>) -> Option<(Level, Preference)> {
         // Only what is needed, here and in `observe`: a copy of the whole would lie below all that
         // is called.
-        let Settings::Present(AgentConfig {
+        let Settings::Present(Checked(AgentConfig {
             rule,
             values,
             level2,
             habits,
             ..
-        }) = self.config
+        })) = self.config
         else {
             return None;
         };
-        let doubts = self.surprise.doubts();
+        let doubts = self.alarm.doubts();
         let trace = self.trace_in(now);
         let voice = habits.map(|habits| Voice {
             weight: habits.weight,
@@ -100,10 +101,10 @@ impl<
 
     /// Whether this step belongs to a burst of random actions.
     pub(crate) fn escapes(&mut self) -> bool {
-        let Settings::Present(AgentConfig {
+        let Settings::Present(Checked(AgentConfig {
             escape: Some(escape),
             ..
-        }) = self.config
+        })) = self.config
         else {
             return false;
         };

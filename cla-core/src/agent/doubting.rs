@@ -3,7 +3,7 @@
 use super::config::{Adaptation, AgentConfig, Settings};
 use super::life::{Agent, Stage};
 use crate::adaptation::SurpriseConfig;
-use crate::check::ConfigError;
+use crate::check::{Checked, ConfigError};
 use crate::som::Prototypes;
 
 impl<
@@ -22,10 +22,13 @@ impl<
     /// Gives the agent another sense of surprise, or none, from now on; what it knows stays.
     ///
     /// # Errors
-    /// [`ConfigError::Surprise`]; nothing has changed.
+    /// [`ConfigError`]; nothing has changed.
     pub fn set_surprise(&mut self, surprise: Option<SurpriseConfig>) -> Result<(), ConfigError> {
         if let Settings::Present(config) = self.config {
-            self.reconfigure(AgentConfig { surprise, ..config })?;
+            self.reconfigure(AgentConfig {
+                surprise,
+                ..*config
+            })?;
         }
         Ok(())
     }
@@ -35,7 +38,7 @@ impl<
     /// Nothing happens unless it acts, re-learns and can be surprised.
     pub fn doubt(&mut self) {
         if let Some(config) = self.suspects() {
-            self.surprise.alarm(&config);
+            self.alarm.alarm(&config);
             self.knowledge.begin_doubt();
         }
     }
@@ -43,20 +46,22 @@ impl<
     /// Alarms so far.
     #[must_use]
     pub const fn alarms(&self) -> u32 {
-        self.surprise.alarms()
+        self.alarm.alarms()
     }
 
     /// Whether the agent doubts what it knows: it was alarmed a short time ago.
     #[must_use]
     pub const fn doubts(&self) -> bool {
-        self.surprise.doubts()
+        self.alarm.doubts()
     }
 
     /// Alarms sound only where something can be learned from them.
     pub(crate) fn suspects(&self) -> Option<SurpriseConfig> {
         let relearns = self.stage == Stage::Acting(Adaptation::Relearning);
         match self.config {
-            Settings::Present(AgentConfig { surprise, .. }) => surprise.filter(|_| relearns),
+            Settings::Present(Checked(AgentConfig { surprise, .. })) => {
+                surprise.filter(|_| relearns)
+            }
             Settings::Absent => None,
         }
     }
@@ -67,11 +72,11 @@ impl<
         let Some(surprise) = self.suspects() else {
             return;
         };
-        let doubted = self.surprise.doubts();
-        if self.surprise.feel(&surprise, rewarded) {
+        let doubted = self.alarm.doubts();
+        if self.alarm.feel(&surprise, rewarded) {
             self.knowledge.begin_doubt();
         }
-        if self.surprise.weighs()
+        if self.alarm.weighs()
             && let Settings::Present(config) = &self.config
         {
             // Like a harvest, it comes now and then and is no part of a tick.
@@ -82,7 +87,7 @@ impl<
                 .doubt(knowledge, |context, action| knowledge.hold(context, action));
             (self.knowledge.cost, self.level2.table.cost) = cost;
         }
-        if !self.surprise.doubts() && doubted {
+        if !self.alarm.doubts() && doubted {
             self.knowledge.end_doubt();
             self.level2.forget_experience();
         }
@@ -91,8 +96,8 @@ impl<
     /// Ends a doubt that nothing can be learned from any more: acting or the configuration changed.
     #[inline(never)]
     pub(crate) fn settle_doubt(&mut self) {
-        if self.surprise.doubts() && self.suspects().is_none() {
-            self.surprise.end();
+        if self.alarm.doubts() && self.suspects().is_none() {
+            self.alarm.end();
             self.knowledge.end_doubt();
             self.level2.forget_experience();
         }

@@ -5,17 +5,17 @@
 //! results chooses.
 //! All memory is inside the value, all of it zero at first: a static agent costs no flash.
 
-use super::config::{Adaptation, AgentConfig, Settings};
+use super::config::{Adaptation, AgentConfig, Settings, check_values};
 use super::step::{AgentError, Choice, Lesson, Reason};
-use crate::adaptation::Surprise;
-use crate::check::ConfigError;
+use crate::adaptation::Alarm;
+use crate::check::{Checked, Config, ConfigError};
 use crate::choice::{ChoiceRule, Habits, ValueConfig};
 use crate::knowledge::{KnowledgeBase, SchemaId, SyntheticId};
 use crate::level2::SecondLevel;
 use crate::map::{ActionSomBank, Sample};
 use crate::num::Rng;
 use crate::som::{BinarySom, Prototypes};
-use crate::word::{ActionId, Cost, ItemStates};
+use crate::word::{ActionId, Cost, ItemId, ItemStates};
 
 /// What an agent is doing with its life.
 ///
@@ -28,7 +28,7 @@ use crate::word::{ActionId, Cost, ItemStates};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Stage {
-    /// Not begun: it can neither choose nor learn.
+    /// Not born: it can neither choose nor learn.
     Unborn,
     /// Mostly random actions; maps, schemas, reliabilities and values all learn (6.2.3).
     Training,
@@ -44,11 +44,10 @@ pub enum Stage {
 /// for a byte each.
 ///
 /// ```
-/// use cla_core::agent::{Agent, AgentConfig};
-/// use cla_core::word::ItemStates;
+/// use cla_core::{Agent, AgentConfig, ItemId, Percept};
 /// let mut agent = Box::new(Agent::<1, 7, 8, 8, 6, 64, 256, 0, 0>::new());
-/// agent.begin(AgentConfig::FORAGER, 1)?;
-/// let now = ItemStates::all_off(7);
+/// agent.be_born(AgentConfig::FORAGER, &[(ItemId(6), 10.0)], 1)?;
+/// let now = Percept::all_off(7);
 /// let choice = agent.choose(&now)?;
 /// let lesson = agent.learn(&now)?; // nothing happened
 /// assert!(lesson.trained.is_some());
@@ -86,7 +85,7 @@ pub struct Agent<
     pub(crate) burst: u16,
     pub(crate) run: u16,
     pub(crate) exploring: bool,
-    pub(crate) surprise: Surprise,
+    pub(crate) alarm: Alarm,
     /// Values of habits that have moved in this step.
     practised: u32,
 }
@@ -151,19 +150,28 @@ impl<
             burst: 0,
             run: 0,
             exploring: false,
-            surprise: Surprise::NONE,
+            alarm: Alarm::NONE,
             practised: 0,
         }
     }
 
-    /// Is born: random maps, no schema, [`Stage::Training`]; inherent values stay.
+    /// Is born: random maps, no schema, [`Stage::Training`]; `values` alone are worth having for
+    /// their own sake.
     ///
     /// The same seed and the same percepts give the same life, to the bit, on every target.
     ///
     /// # Errors
-    /// [`ConfigError`]; the agent is as it was.
-    pub fn begin(&mut self, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
-        config.check()?;
+    /// [`ConfigError`] for a configuration that cannot work, a value that is none, an item that the
+    /// robot does not have, or nothing that is worth having; the agent is as it was.
+    pub fn be_born(
+        &mut self,
+        config: AgentConfig,
+        values: &[(ItemId, f32)],
+        seed: u64,
+    ) -> Result<(), ConfigError> {
+        let config = config.checked()?;
+        check_values(values, ITEMS)?;
+        self.knowledge.set_inherent_values(values);
         self.config = Settings::Present(config);
         self.rng = Rng::stream(seed, 1);
         self.bank.randomize(&mut self.rng);
@@ -177,7 +185,7 @@ impl<
         self.since_reward = 0;
         self.burst = 0;
         self.run = 0;
-        self.surprise = Surprise::NONE;
+        self.alarm = Alarm::NONE;
         self.begin_step();
         Ok(())
     }
@@ -188,13 +196,13 @@ impl<
     /// learned from it.
     ///
     /// # Errors
-    /// [`AgentError::NotBegun`].
+    /// [`AgentError::NotBorn`].
     // A frame of its own, here and below: the steps of a life follow each other, and inlined their
     // stacks would add up.
     #[inline(never)]
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
         if self.stage == Stage::Unborn {
-            return Err(AgentError::NotBegun);
+            return Err(AgentError::NotBorn);
         }
         self.begin_step();
         let choice = if self.stage == Stage::Training && self.explores() {
@@ -234,11 +242,11 @@ impl<
     /// Learns from the action that was chosen last, which has led to `now`.
     ///
     /// # Errors
-    /// [`AgentError::NotBegun`] or [`AgentError::NothingChosen`].
+    /// [`AgentError::NotBorn`] or [`AgentError::NothingChosen`].
     #[inline(never)]
     pub fn learn(&mut self, now: &ItemStates<WORDS>) -> Result<Lesson, AgentError> {
         if self.stage == Stage::Unborn {
-            return Err(AgentError::NotBegun);
+            return Err(AgentError::NotBorn);
         }
         let action = self.chosen.ok_or(AgentError::NothingChosen)?;
         let before = self.context;
@@ -260,7 +268,7 @@ impl<
     /// followed the last own action.
     ///
     /// # Errors
-    /// [`AgentError::NotBegun`] or [`AgentError::NoSuchAction`].
+    /// [`AgentError::NotBorn`] or [`AgentError::NoSuchAction`].
     pub fn observe(
         &mut self,
         before: &ItemStates<WORDS>,
@@ -281,17 +289,17 @@ impl<
         action: ActionId,
         after: &ItemStates<WORDS>,
     ) -> Result<Lesson, AgentError> {
-        let Settings::Present(AgentConfig {
+        let Settings::Present(Checked(AgentConfig {
             coding,
             harvest_every,
             forgetting,
             ..
-        }) = self.config
+        })) = self.config
         else {
-            return Err(AgentError::NotBegun);
+            return Err(AgentError::NotBorn);
         };
         if self.stage == Stage::Unborn {
-            return Err(AgentError::NotBegun);
+            return Err(AgentError::NotBorn);
         }
         if usize::from(action.0) >= ACTIONS {
             return Err(AgentError::NoSuchAction(action));
@@ -305,7 +313,7 @@ impl<
             ..Lesson::default()
         };
         let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
-        if self.suspects().is_some() && self.surprise.doubts() {
+        if self.suspects().is_some() && self.alarm.doubts() {
             self.knowledge.count_hits(before, action, after);
         }
         lesson.outcome = if frozen {
@@ -372,7 +380,7 @@ impl<
         if config.rule == ChoiceRule::Lexicographic {
             self.knowledge.defer_values(&config.values);
         }
-        if self.surprise.doubts() {
+        if self.alarm.doubts() {
             self.knowledge.doubt_new();
         }
         self.level2.follow(&self.knowledge);
@@ -386,20 +394,20 @@ impl<
     /// Harvests a last time and settles the values, so the first action is already the best known.
     ///
     /// # Errors
-    /// [`AgentError::NotBegun`].
+    /// [`AgentError::NotBorn`].
     #[inline(never)]
     pub fn act(&mut self, adaptation: Adaptation) -> Result<(), AgentError> {
-        let Settings::Present(AgentConfig {
+        let Settings::Present(Checked(AgentConfig {
             rule,
             values,
             level2,
             ..
-        }) = self.config
+        })) = self.config
         else {
-            return Err(AgentError::NotBegun);
+            return Err(AgentError::NotBorn);
         };
         if self.stage == Stage::Unborn {
-            return Err(AgentError::NotBegun);
+            return Err(AgentError::NotBorn);
         }
         if self.stage == Stage::Training {
             self.harvest();
@@ -431,11 +439,10 @@ impl<
     /// Harvests, and weighing the evidence in a doubt, are left out.
     ///
     /// ```
-    /// use cla_core::agent::{Agent, AgentConfig};
-    /// use cla_core::word::ItemStates;
+    /// use cla_core::{Agent, AgentConfig, ItemId, Percept};
     /// let mut agent = Box::new(Agent::<1, 7, 8, 8, 6, 64, 256, 0, 0>::new());
-    /// agent.begin(AgentConfig::FORAGER, 1)?;
-    /// let now = ItemStates::all_off(7);
+    /// agent.be_born(AgentConfig::FORAGER, &[(ItemId(6), 10.0)], 1)?;
+    /// let now = Percept::all_off(7);
     /// agent.choose(&now)?;
     /// agent.learn(&now)?;
     /// assert_eq!(agent.cost().units, 2 * 64);
@@ -460,13 +467,12 @@ impl<
     /// Goes on with another configuration; what has been learned stays.
     ///
     /// This is how a second level begins: the book trains level 1 alone first (6.2.4).
-    /// It is no birth: an unborn agent stays unborn, and [`begin`](Self::begin) brings its own.
+    /// It is no birth: an unborn agent stays unborn, and [`be_born`](Self::be_born) brings its own.
     ///
     /// # Errors
     /// [`ConfigError`]; the agent is as it was.
     pub fn reconfigure(&mut self, config: AgentConfig) -> Result<(), ConfigError> {
-        config.check()?;
-        self.config = Settings::Present(config);
+        self.config = Settings::Present(config.checked()?);
         if config.level2.is_none() {
             self.trace = None;
         }
@@ -526,17 +532,17 @@ impl<
         action: ActionId,
         after: &ItemStates<WORDS>,
     ) {
-        let Settings::Present(AgentConfig {
+        let Settings::Present(Checked(AgentConfig {
             habits: Some(habits),
             ..
-        }) = self.config
+        })) = self.config
         else {
             return;
         };
         if self.stage == Stage::Acting(Adaptation::Frozen) {
             return;
         }
-        let rate = if self.surprise.doubts() {
+        let rate = if self.alarm.doubts() {
             habits.doubting_rate
         } else {
             habits.learning_rate
@@ -559,11 +565,11 @@ impl<
         after: &ItemStates<WORDS>,
         succeeded: Option<SchemaId>,
     ) {
-        let Settings::Present(AgentConfig {
+        let Settings::Present(Checked(AgentConfig {
             level2: Some(level2),
             values: ValueConfig { discount, .. },
             ..
-        }) = self.config
+        })) = self.config
         else {
             return;
         };

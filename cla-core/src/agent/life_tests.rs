@@ -2,11 +2,13 @@
 
 use super::{Adaptation, AgentError, Reason, Stage};
 use crate::agent::{AgentConfig, Escape, Level};
-use crate::check::ConfigError;
+use crate::check::Range;
 use crate::choice::ChoiceRule;
 use crate::level2::{Fallback, Level2Config};
 use crate::word::{ActionId, ItemId, ItemStates, Vocabulary};
 use std::boxed::Box;
+
+const GOLD: [(ItemId, f32); 1] = [(ItemId(3), 10.0)];
 
 /// A corridor of four cells; the last one holds what is valuable and leads back to the first.
 type Walker = super::Agent<1, 4, 6, 6, 2, 64, 256, 0, 0>;
@@ -36,11 +38,7 @@ impl Corridor {
 
 fn walker(config: AgentConfig, seed: u64) -> Box<Walker> {
     let mut agent = Box::new(Walker::new());
-    agent.begin(config, seed).unwrap();
-    agent
-        .knowledge_mut()
-        .set_inherent_value(ItemId(3), 10.0)
-        .unwrap();
+    agent.be_born(config, &[(ItemId(3), 10.0)], seed).unwrap();
     agent
 }
 
@@ -115,9 +113,9 @@ fn every_step_says_what_it_has_touched_and_begins_at_nothing() {
 fn calls_out_of_turn_are_refused_and_change_nothing() {
     let mut agent = Box::new(Walker::new());
     let now = Corridor(0).sense();
-    assert_eq!(agent.choose(&now), Err(AgentError::NotBegun));
-    assert_eq!(agent.learn(&now), Err(AgentError::NotBegun));
-    assert_eq!(agent.act(Adaptation::Frozen), Err(AgentError::NotBegun));
+    assert_eq!(agent.choose(&now), Err(AgentError::NotBorn));
+    assert_eq!(agent.learn(&now), Err(AgentError::NotBorn));
+    assert_eq!(agent.act(Adaptation::Frozen), Err(AgentError::NotBorn));
     assert_eq!(agent.stage(), Stage::Unborn);
     let mut agent = walker(AgentConfig::FORAGER, 1);
     assert_eq!(agent.learn(&now), Err(AgentError::NothingChosen));
@@ -139,13 +137,41 @@ fn a_bad_configuration_is_refused_by_name_and_the_old_life_goes_on() {
         forgetting: f32::NAN,
         ..AgentConfig::FORAGER
     };
-    assert_eq!(agent.begin(nan, 1), Err(ConfigError::Forgetting));
+    let refused = agent.be_born(nan, &GOLD, 1).unwrap_err();
+    assert_eq!(refused.field, "AgentConfig::forgetting");
+    assert!(refused.value.is_nan() && refused.range == Range::SHARE);
     let never = AgentConfig {
         training_run: 0,
         ..AgentConfig::FORAGER
     };
-    assert_eq!(agent.begin(never, 1), Err(ConfigError::NoActions));
+    let refused = agent.be_born(never, &GOLD, 1).unwrap_err();
+    assert_eq!(refused.field, "AgentConfig::training_run");
+    assert_eq!((refused.value, refused.range), (0.0, Range::AT_LEAST_ONE));
     assert_eq!(*agent.knowledge(), before);
+}
+
+#[test]
+fn nobody_is_born_without_anything_that_is_worth_having() {
+    let mut agent = Box::new(Walker::new());
+    for (values, field) in [
+        (&[][..], "values: the largest"),
+        (&[(ItemId(3), 0.0)], "values: the largest"),
+        (&[(ItemId(4), 1.0)], "values: an item"),
+        (&[(ItemId(3), 1.0), (ItemId(0), -1.0)], "values: a value"),
+        (&[(ItemId(3), f32::INFINITY)], "values: a value"),
+    ] {
+        let refused = agent.be_born(AgentConfig::FORAGER, values, 1).unwrap_err();
+        assert_eq!(refused.field, field);
+        let now = Corridor(0).sense();
+        assert_eq!(agent.choose(&now), Err(AgentError::NotBorn));
+    }
+    // Another birth forgets what was worth having in the life before.
+    for (item, others) in [(3, 0), (0, 3)] {
+        let values = [(ItemId(item), 2.0)];
+        agent.be_born(AgentConfig::FORAGER, &values, 1).unwrap();
+        let worth = |item| agent.knowledge().inherent_value(ItemId(item));
+        assert_eq!((worth(item), worth(others)), (2.0, 0.0));
+    }
 }
 
 #[test]
@@ -280,10 +306,8 @@ fn distracted(world: &Corridor) -> ItemStates<1> {
 #[test]
 fn an_item_that_never_varies_and_a_sensor_that_always_fails_are_no_obstacle() {
     let (mut agent, mut world) = (Box::new(Distracted::new()), Corridor(0));
-    agent.begin(AgentConfig::FORAGER, 3).unwrap();
     agent
-        .knowledge_mut()
-        .set_inherent_value(ItemId(3), 10.0)
+        .be_born(AgentConfig::FORAGER, &[(ItemId(3), 10.0)], 3)
         .unwrap();
     let mut rewards = 0;
     for step in 0..2400 {
@@ -367,11 +391,7 @@ fn keeper(level2: Option<Level2Config>) -> (Box<Keeper>, Door) {
         ..AgentConfig::FORAGER
     };
     let mut agent = Box::new(Keeper::new());
-    agent.begin(config, 4).unwrap();
-    agent
-        .knowledge_mut()
-        .set_inherent_value(ItemId(1), 10.0)
-        .unwrap();
+    agent.be_born(config, &[(ItemId(1), 10.0)], 4).unwrap();
     let door = Door {
         pulled: false,
         open: false,
@@ -480,7 +500,7 @@ fn an_item_in_the_row_of_the_trace_is_not_taken_for_it() {
         level2: Some(Level2Config::FORAGER),
         ..AgentConfig::FORAGER
     };
-    agent.begin(config, 4).unwrap();
+    agent.be_born(config, &GOLD, 4).unwrap();
     for _ in 0..2000 {
         let choice = agent.choose(&world.sense()).unwrap();
         world.act(choice.action);

@@ -14,6 +14,7 @@ use crate::word::ActionId;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Reason {
     /// It is the best by the rule.
     Value,
@@ -86,13 +87,14 @@ pub struct Lesson {
 ///
 /// ```
 /// use cla_core::agent::AgentError;
-/// assert_eq!(AgentError::NotBegun.to_string(), "the agent has not begun: call begin first");
+/// assert_eq!(AgentError::NotBorn.to_string(), "the agent is not born: call be_born first");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum AgentError {
-    /// [`Agent::begin`](super::Agent::begin) was not called.
-    NotBegun,
+    /// [`Agent::be_born`](super::Agent::be_born) was not called.
+    NotBorn,
     /// [`Agent::learn`](super::Agent::learn) without a [`Agent::choose`](super::Agent::choose) before
     /// it.
     NothingChosen,
@@ -103,7 +105,7 @@ pub enum AgentError {
 impl fmt::Display for AgentError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotBegun => f.write_str("the agent has not begun: call begin first"),
+            Self::NotBorn => f.write_str("the agent is not born: call be_born first"),
             Self::NothingChosen => f.write_str("no action is waiting for its result"),
             Self::NoSuchAction(action) => write!(f, "the robot has no action {}", action.0),
         }

@@ -7,6 +7,7 @@
 //! is on, the synthetic item of the schema that has succeeded last, and one that is always there.
 //! An agent weighs both voices, as animals seem to (Daw, Niv and Dayan 2005).
 
+use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::SyntheticId;
 use crate::word::{ActionId, ItemSet};
 
@@ -26,7 +27,7 @@ pub struct HabitConfig {
     pub discount: f32,
     /// λ: how far back a reward is felt, in `[0, 1]`; never farther than the last 16 actions.
     pub lambda: f32,
-    /// Share of a surprise that each feature learns, in `[0, 1]`; together they learn no more than all.
+    /// Share of a TD error that each feature learns, in `[0, 1]`; together they learn no more than all.
     pub learning_rate: f32,
     /// The same while the agent doubts what it knows.
     pub doubting_rate: f32,
@@ -41,17 +42,15 @@ impl HabitConfig {
         learning_rate: 0.03,
         doubting_rate: 0.2,
     };
+}
 
-    /// Whether the values make sense.
-    pub(crate) fn is_sound(&self) -> bool {
-        let shares = [
-            self.weight,
-            self.lambda,
-            self.learning_rate,
-            self.doubting_rate,
-        ];
-        (0.0..1.0).contains(&self.discount)
-            && shares.iter().all(|share| (0.0..=1.0).contains(share))
+impl Config for HabitConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::SHARE.check("HabitConfig::weight", self.weight)?;
+        Range::BELOW_ONE.check("HabitConfig::discount", self.discount)?;
+        Range::SHARE.check("HabitConfig::lambda", self.lambda)?;
+        Range::SHARE.check("HabitConfig::learning_rate", self.learning_rate)?;
+        Range::SHARE.check("HabitConfig::doubting_rate", self.doubting_rate)
     }
 }
 
@@ -75,6 +74,9 @@ impl<const WORDS: usize> Deed<WORDS> {
 }
 
 /// What each action has brought, for each feature; the worth of an action is their sum.
+///
+/// In the field: Sarsa(λ) with linear function approximation and replacing eligibility traces, the
+/// model-free half of the learner.
 ///
 /// ```
 /// use cla_core::choice::Habits;
@@ -185,14 +187,14 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
             && let Some(before) = self.deeds.get(usize::from(self.newest)).copied()
         {
             // Only now it is known what the deed before was good for.
-            let surprise =
+            let error =
                 self.reward + config.discount * self.worth_of(&deed) - self.worth_of(&before);
             // All features of a deed move; together no farther than to what was felt.
             let features = 1 + before.on.len() + u16::from(before.trace.is_some());
             let share = 1.0 / f32::from(features);
             let rate = if rate < share { rate } else { share };
-            if surprise.is_finite() {
-                moved = self.spread(rate * surprise, config.discount * config.lambda);
+            if error.is_finite() {
+                moved = self.spread(rate * error, config.discount * config.lambda);
             }
         }
         self.newest = self.newest.wrapping_add(1) % FELT as u8;

@@ -5,7 +5,7 @@ use std::boxed::Box;
 use super::{ActionId, HabitConfig, Habits, ItemSet, SyntheticId};
 use crate::adaptation::SurpriseConfig;
 use crate::agent::{Adaptation, Agent, AgentConfig, AgentError};
-use crate::check::ConfigError;
+use crate::check::Config;
 use crate::word::{ItemId, ItemStates};
 
 type Three = Habits<1, 3, 2, 4>;
@@ -135,10 +135,7 @@ fn miner(habits: Option<HabitConfig>) -> Box<Miner> {
         greedy_share: 0.5,
         ..AgentConfig::FORAGER_LEVEL2
     };
-    it.begin(config, 1).unwrap();
-    it.knowledge_mut()
-        .set_inherent_value(ItemId(1), 10.0)
-        .unwrap();
+    it.be_born(config, &[(ItemId(1), 10.0)], 1).unwrap();
     it
 }
 
@@ -200,17 +197,18 @@ fn without_habits_nothing_is_practised_and_bad_ones_are_refused() {
             ..CONFIG
         },
     ] {
-        assert_eq!(none.reconfigure(config(bad)), Err(ConfigError::Habits));
+        let refused = none.reconfigure(config(bad)).unwrap_err();
+        assert!(refused.field.starts_with("HabitConfig::"), "{refused}");
     }
     // A configuration is no birth.
     let mut unborn = Miner::new();
     unborn.reconfigure(config(CONFIG)).unwrap();
     let now = ItemStates::all_off(2);
-    assert_eq!(unborn.choose(&now), Err(AgentError::NotBegun));
-    assert_eq!(unborn.learn(&now), Err(AgentError::NotBegun));
-    assert_eq!(unborn.act(Adaptation::Frozen), Err(AgentError::NotBegun));
+    assert_eq!(unborn.choose(&now), Err(AgentError::NotBorn));
+    assert_eq!(unborn.learn(&now), Err(AgentError::NotBorn));
+    assert_eq!(unborn.act(Adaptation::Frozen), Err(AgentError::NotBorn));
     let seen = unborn.observe(&now, RIGHT, &now);
-    assert_eq!(seen, Err(AgentError::NotBegun));
+    assert_eq!(seen, Err(AgentError::NotBorn));
 }
 
 #[test]
@@ -229,12 +227,14 @@ fn a_new_life_begins_without_the_habits_of_the_old_one() {
     let mut agent = miner(Some(CONFIG));
     dig(&mut agent, true, 200);
     assert_ne!(*agent.habits(), Habits::new());
-    agent.begin(AgentConfig::FORAGER_LEVEL2, 1).unwrap();
+    agent
+        .be_born(AgentConfig::FORAGER_LEVEL2, &[(ItemId(1), 10.0)], 1)
+        .unwrap();
     assert_eq!(*agent.habits(), Habits::new());
 }
 
 #[test]
-fn a_surprise_is_what_came_and_what_is_to_be_had_less_what_was_expected() {
+fn a_td_error_is_what_came_and_what_is_to_be_had_less_what_was_expected() {
     let mut it = Three::new();
     it.items[0] = [4.0, 0.0];
     it.items[1] = [0.0, 6.0];
@@ -247,7 +247,7 @@ fn a_surprise_is_what_came_and_what_is_to_be_had_less_what_was_expected() {
     near(it.always[0], step);
     near(it.items[0][0], 4.0 + step);
     assert_eq!(it.items[1], [0.0, 6.0]);
-    // At full rate a deed of two features moves by half the surprise each: to what was felt.
+    // At full rate a deed of two features moves by half the error each: to what was felt.
     it.feel((at(2), None, RIGHT), 0.0, 1.0, &CONFIG);
     let before = it.worth(&at(2), None)[0];
     near(it.items[1][1] + it.always[1], 0.85 * before);
@@ -298,9 +298,9 @@ fn a_configuration_of_habits_is_sound_when_every_number_is_in_range() {
     ];
     for (index, spoil) in bad.into_iter().enumerate() {
         let mut config = CONFIG;
-        assert!(config.is_sound());
+        assert!(config.check().is_ok());
         spoil(&mut config);
-        assert!(!config.is_sound(), "{index}");
+        assert!(config.check().is_err(), "{index}");
     }
     let edges = HabitConfig {
         weight: 0.0,
@@ -309,7 +309,7 @@ fn a_configuration_of_habits_is_sound_when_every_number_is_in_range() {
         learning_rate: 0.0,
         doubting_rate: 1.0,
     };
-    assert!(edges.is_sound());
+    assert!(edges.check().is_ok());
 }
 
 #[test]

@@ -11,6 +11,7 @@ use crate::word::{ActionId, ItemStates};
 /// assert_ne!(ChoiceRule::Lexicographic, ChoiceRule::ExpectedValue);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ChoiceRule {
     /// The book's: the applicable schema with the most valuable result; of equally valuable ones
     /// the most reliable, then the first (6.2.3).

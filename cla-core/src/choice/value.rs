@@ -8,8 +8,9 @@
 
 use core::fmt;
 
+use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::{Estimate, KnowledgeBase, Others, Schema};
-use crate::word::{ItemId, ItemStates, SignedItems};
+use crate::word::{ItemId, ItemSet, ItemStates, SignedItems};
 
 /// How values spread from results to contexts.
 ///
@@ -55,6 +56,14 @@ impl ValueConfig {
     };
 }
 
+impl Config for ValueConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::BELOW_ONE.check("ValueConfig::discount", self.discount)?;
+        Range::SHARE.check("ValueConfig::chain_reliability", self.chain_reliability)?;
+        Range::NOT_NEGATIVE.check("ValueConfig::chain_relevance", self.chain_relevance)
+    }
+}
+
 /// An inherent value that cannot be given.
 ///
 /// ```
@@ -67,6 +76,7 @@ impl ValueConfig {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum InherentValueError {
     /// The value is NaN or infinite.
     NotFinite,
@@ -118,6 +128,16 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             self.valued.remove(item);
         }
         Ok(())
+    }
+
+    /// These items alone are worth something for their own sake; what was checked fits.
+    pub(crate) fn set_inherent_values(&mut self, values: &[(ItemId, f32)]) {
+        self.inherent = [[0.0; 32]; WORDS];
+        self.valued = ItemSet::EMPTY;
+        for &(item, value) in values {
+            // A refusal would have been an error before birth.
+            let _ = self.set_inherent_value(item, value);
+        }
     }
 
     /// `value` and the inherent values of the positive items.
@@ -377,6 +397,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 }
 
 /// What one action can be expected to bring.
+///
+/// In the field: the action's Q value under the learned model; improving a value is one asynchronous
+/// backup of value iteration.
 ///
 /// ```
 /// assert!(!cla_core::choice::Appraisal::default().applicable);

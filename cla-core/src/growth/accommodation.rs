@@ -1,4 +1,4 @@
-//! Accommodation: schemas that grow where the world surprises, compete, and are dropped.
+//! Accommodation: schemas that grow where something was not foreseen, compete, and are dropped.
 //!
 //! Every schema that applies is tested by every action; what nobody foresaw, and what was foreseen
 //! wrongly, goes into the reservoir of its action and grows new schemas (book, 2.1: accommodation;
@@ -10,6 +10,7 @@ use super::evidence::{Evidence, Transition};
 use super::grow::{Conclusion, GrowthConfig, grow};
 use super::reservoir::Reservoir;
 use super::simple_schema::{Entry, SimpleSchema, SimpleSchemas};
+use crate::check::{Config, ConfigError, Range};
 use crate::num::Rng;
 use crate::word::{ActionId, ItemId, ItemSet};
 
@@ -30,7 +31,7 @@ pub struct AccommodationConfig {
     /// Failures that are forgiven before `keep` is asked; 0 in an exact world.
     pub grace: u16,
     /// Unforeseen changes that grow a schema, per action; bounds the time.
-    pub surprises: u8,
+    pub unforeseen: u8,
     /// Remembered samples that grow a schema, per action.
     pub revisits: u8,
     /// While an action's reservoir has room, a change that is foreseen only by schemas with fewer
@@ -39,7 +40,7 @@ pub struct AccommodationConfig {
     ///
     /// Of what few samples allow, much is false: with another explanation more of what is true is
     /// among it, and trials tell which.
-    pub doubt: u16,
+    pub untested: u16,
 }
 
 impl AccommodationConfig {
@@ -48,16 +49,16 @@ impl AccommodationConfig {
         growth: GrowthConfig::EXACT,
         keep: 1.0,
         grace: 0,
-        surprises: 16,
+        unforeseen: 16,
         revisits: 16,
-        doubt: 8,
+        untested: 8,
     };
-    /// For exact worlds and more memory than is needed: what has been tried thirty times is doubted
-    /// no more.
+    /// For exact worlds and more memory than is needed: what has been tried thirty times needs
+    /// no second explanation.
     ///
     /// More is foreseen early, and more of it wrongly.
     pub const ROOMY: Self = Self {
-        doubt: 30,
+        untested: 30,
         ..Self::EXACT
     };
     /// For worlds whose actions sometimes fail.
@@ -69,13 +70,20 @@ impl AccommodationConfig {
     };
 }
 
+impl Config for AccommodationConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        self.growth.check()?;
+        Range::SHARE.check("AccommodationConfig::keep", self.keep)
+    }
+}
+
 /// What an action showed that was not foreseen.
 ///
 /// ```
-/// assert!(!cla_core::growth::Surprise::default().surprising());
+/// assert!(!cla_core::growth::Accommodated::default().unexpected());
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Surprise {
+pub struct Accommodated {
     /// Schemas that applied.
     pub activated: u16,
     /// Those whose result did not come.
@@ -86,10 +94,10 @@ pub struct Surprise {
     pub grown: u16,
 }
 
-impl Surprise {
+impl Accommodated {
     /// Whether anything was unforeseen or foreseen wrongly.
     #[must_use]
-    pub const fn surprising(&self) -> bool {
+    pub const fn unexpected(&self) -> bool {
         self.failed > 0 || self.unforeseen > 0
     }
 }
@@ -98,6 +106,8 @@ impl Surprise {
 type Refuted = heapless::Vec<SimpleSchema, 16, u8>;
 
 /// Simple schemas for `ACTIONS` actions, each with a reservoir of `SAMPLES` samples.
+///
+/// In the field: incremental rule induction from counterexamples, general to specific, with replay.
 ///
 /// All items are known; an item that nobody knows has no place in a transition.
 ///
@@ -179,30 +189,30 @@ impl<
         sample: &E,
         config: &AccommodationConfig,
         rng: &mut Rng,
-    ) -> Surprise {
-        let (mut surprise, unforeseen, refuted) = self.compare(action, sample, config, rng);
+    ) -> Accommodated {
+        let (mut found, unforeseen, refuted) = self.compare(action, sample, config, rng);
         for schema in &refuted {
-            surprise.grown += self.regrow(schema, config, rng);
+            found.grown += self.regrow(schema, config, rng);
         }
-        for item in unforeseen.iter().take(usize::from(config.surprises)) {
-            surprise.grown += self.grow(action, sample, item, config);
+        for item in unforeseen.iter().take(usize::from(config.unforeseen)) {
+            found.grown += self.grow(action, sample, item, config);
         }
         if self.remembers_all(action) {
             for item in sample.telling().difference(&unforeseen).iter() {
-                surprise.grown += self.grow_alternative(action, sample, item, config);
+                found.grown += self.grow_alternative(action, sample, item, config);
             }
         }
         for _ in 0..config.revisits {
             let Some(reservoir) = self.reservoirs.get(usize::from(action.0)) else {
-                return surprise;
+                return found;
             };
             let which = rng.below(reservoir.samples().len() as u32) as usize;
             let Some(seed) = reservoir.samples().get(which).copied() else {
-                return surprise;
+                return found;
             };
-            surprise.grown += self.grow_from(action, &seed, config, rng);
+            found.grown += self.grow_from(action, &seed, config, rng);
         }
-        surprise
+        found
     }
 
     /// As [`observe`](Self::observe), but schemas grow only from `seeds`: what the nodes of an
@@ -216,16 +226,16 @@ impl<
         seeds: impl IntoIterator<Item = E>,
         config: &AccommodationConfig,
         rng: &mut Rng,
-    ) -> Surprise {
-        let (mut surprise, _, _) = self.compare(action, sample, config, rng);
+    ) -> Accommodated {
+        let (mut found, _, _) = self.compare(action, sample, config, rng);
         for seed in seeds {
-            for item in seed.telling().iter().take(usize::from(config.surprises)) {
+            for item in seed.telling().iter().take(usize::from(config.unforeseen)) {
                 if !self.foresees(action, &seed, item) {
-                    surprise.grown += self.grow(action, &seed, item, config);
+                    found.grown += self.grow(action, &seed, item, config);
                 }
             }
         }
-        surprise
+        found
     }
 
     /// Files a sample without testing schemas or growing any; the first step of
@@ -280,17 +290,17 @@ impl<
         sample: &E,
         config: &AccommodationConfig,
         rng: &mut Rng,
-    ) -> (Surprise, ItemSet<WORDS>, Refuted) {
+    ) -> (Accommodated, ItemSet<WORDS>, Refuted) {
         let mut refuted = Refuted::new();
-        let mut surprise = Surprise::default();
+        let mut found = Accommodated::default();
         let mut foreseen = ItemSet::EMPTY;
         self.schemas.record(action, sample, |schema, success| {
-            surprise.activated = surprise.activated.saturating_add(1);
+            found.activated = found.activated.saturating_add(1);
             if success {
                 let _ = foreseen.insert(schema.result_item());
                 return true;
             }
-            surprise.failed = surprise.failed.saturating_add(1);
+            found.failed = found.failed.saturating_add(1);
             let failures = schema.activations() - schema.successes();
             let kept = failures <= config.grace || schema.reliability() >= config.keep;
             if !kept {
@@ -300,12 +310,12 @@ impl<
             kept
         });
         let unforeseen = sample.telling().difference(&foreseen);
-        surprise.unforeseen = unforeseen.len();
+        found.unforeseen = unforeseen.len();
         if let Some(reservoir) = self.reservoirs.get_mut(usize::from(action.0)) {
-            let hardness = surprise.failed.saturating_add(surprise.unforeseen);
+            let hardness = found.failed.saturating_add(found.unforeseen);
             reservoir.offer(sample, u8::try_from(hardness).unwrap_or(u8::MAX), rng);
         }
-        (surprise, unforeseen, refuted)
+        (found, unforeseen, refuted)
     }
 
     /// Grows what a refuted schema meant from a remembered sample that it had explained.
@@ -351,7 +361,7 @@ impl<
     }
 
     /// Whether everything that an action did is still in memory, so that explanations may multiply:
-    /// later the surprises that are kept tell which of them hold.
+    /// later the unforeseen samples that are kept tell which of them hold.
     fn remembers_all(&self, action: ActionId) -> bool {
         let reservoir = self.reservoirs.get(usize::from(action.0));
         reservoir.is_some_and(|it| it.samples().len() < SAMPLES)
@@ -374,7 +384,7 @@ impl<
                 && schema.success(seed) == Some(true)
         };
         for schema in self.schemas().iter().filter(explains) {
-            if schema.successes() >= config.doubt {
+            if schema.successes() >= config.untested {
                 return 0;
             }
             for (named, _) in schema.context().filter(|&(named, _)| named != item) {
@@ -501,12 +511,12 @@ mod tests {
     #[test]
     fn who_doubts_explains_a_change_twice_while_little_is_known() {
         // Items 0 and 1 are always on together before the action turns item 2 on.
-        let explanations = |doubt: u16| {
+        let explanations = |untested: u16| {
             let mut brain = Accommodation::<1, 32, 32, 1>::new();
             let (mut rng, config) = (
                 Rng::new(5),
                 AccommodationConfig {
-                    doubt,
+                    untested,
                     ..AccommodationConfig::EXACT
                 },
             );

@@ -32,6 +32,8 @@ impl<const WORDS: usize> Transition<WORDS> {
 
 /// A completed action that may leave items unknown.
 ///
+/// In the field: a training example with missing values.
+///
 /// ```
 /// use cla_core::growth::{Evidence, Transition};
 /// use cla_core::word::{ItemId, ItemSet};

@@ -7,6 +7,7 @@
 use super::attention::Attention;
 use super::evidence::Evidence;
 use super::simple_schema::SimpleSchema;
+use crate::check::{Config, ConfigError, Range};
 use crate::word::{ActionId, ItemId, ItemSet, SchemaText, SignedItems};
 
 /// How contexts grow.
@@ -48,6 +49,15 @@ impl GrowthConfig {
         tolerance: 0.1,
         ..Self::EXACT
     };
+}
+
+impl Config for GrowthConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::BELOW_ONE.check("GrowthConfig::tolerance", self.tolerance)?;
+        Range::SHARE.check("GrowthConfig::negatives", self.negatives)?;
+        Range::AT_LEAST_ONE.check("GrowthConfig::support", f32::from(self.support))?;
+        Range::NOT_NEGATIVE.check("GrowthConfig::attention", self.attention)
+    }
 }
 
 /// A conclusion to explain: this item was that afterwards.

@@ -1,6 +1,6 @@
-//! Growth: schemas that grow where the world surprises (book, chapter 5; accommodation after Piaget).
+//! Growth: schemas that grow where something was not foreseen (book, chapter 5; accommodation after Piaget).
 //!
-//! Samples that surprise are remembered in reservoirs; a context grows item by item until the
+//! Samples that were not foreseen are remembered in reservoirs; a context grows item by item until the
 //! evidence no longer contradicts it, and loses again what it can do without.
 //! What cannot be seen becomes synthetic items, labelled in hindsight; goals are reached by chains
 //! of schemas and by search over predicted states.
@@ -16,7 +16,7 @@ mod reservoir;
 mod simple_schema;
 mod simplify;
 
-pub use accommodation::{Accommodation, AccommodationConfig, Surprise};
+pub use accommodation::{Accommodated, Accommodation, AccommodationConfig};
 pub use evidence::{Evidence, Transition};
 pub use goal::{Attempt, Planner, PlannerConfig, Progress, chain_backward};
 pub use grow::GrowthConfig;

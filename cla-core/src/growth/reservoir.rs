@@ -1,6 +1,6 @@
 //! A bounded memory of what one action did: the counterexamples that keep schemas honest.
 //!
-//! Every context once; when it is full, surprises stay and what was foreseen leaves.
+//! Every context once; when it is full, what was not foreseen stays and what was foreseen leaves.
 //! Schemas are grown against it (see `grow`); without it a context would be as general as the few
 //! samples at hand allow.
 
@@ -8,6 +8,8 @@ use super::evidence::{Evidence, Transition};
 use crate::num::Rng;
 
 /// Up to `SAMPLES` pieces of evidence of one action, each context once; at most 65,535.
+///
+/// In the field: a replay buffer that keeps what was not foreseen.
 ///
 /// ```
 /// use cla_core::growth::{Reservoir, Transition};
@@ -30,7 +32,7 @@ pub struct Reservoir<const WORDS: usize, const SAMPLES: usize, E = Transition<WO
 impl<const WORDS: usize, const SAMPLES: usize, E: Evidence<WORDS>> Reservoir<WORDS, SAMPLES, E> {
     /// Of a full reservoir, this many random samples compete for leaving.
     const CANDIDATES: u8 = 4;
-    /// Of the samples that surprise nobody, one in this many enters a full reservoir.
+    /// Of the samples that were foreseen, one in this many enters a full reservoir.
     const ONE_IN: u32 = 20;
 
     /// A reservoir without samples.
@@ -62,7 +64,7 @@ impl<const WORDS: usize, const SAMPLES: usize, E: Evidence<WORDS>> Reservoir<WOR
     /// Offers a sample; `hardness` counts what was wrong about the predictions for it.
     ///
     /// A context that is known takes the new outcome and the larger hardness.
-    /// A full reservoir takes every surprise and one in twenty of the others, in place of the least
+    /// A full reservoir takes every unforeseen sample and one in twenty of the others, in place of the least
     /// hard of four random samples.
     pub fn offer(&mut self, sample: &E, hardness: u8, rng: &mut Rng) {
         let known = self.samples.iter().position(|old| old.began_as(sample));

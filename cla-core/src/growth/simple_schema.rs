@@ -16,6 +16,8 @@ const RESULT: u8 = 1 << SimpleSchema::CONTEXT_ITEMS;
 
 /// A schema with one result item, and its trials.
 ///
+/// In the field: a decision rule with one conclusion, for one action.
+///
 /// ```
 /// use cla_core::growth::SimpleSchema;
 /// use cla_core::word::{SchemaText, Vocabulary};

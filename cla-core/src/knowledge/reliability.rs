@@ -21,6 +21,8 @@ pub enum Estimate {
 
 /// The trials of one schema.
 ///
+/// In the field: the rate of a Bernoulli variable, as a share and as an exponential average.
+///
 /// See [`Estimate`] for an example.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reliability {

@@ -35,6 +35,8 @@ pub struct SyntheticId(pub u16);
 
 /// A prediction: if the context holds and the action is done, the result is expected.
 ///
+/// In the field: a probabilistic rule of a factored transition model, a STRIPS operator with a rate.
+///
 /// Contexts and results repeat, so each is stored once and named by its [`PatternId`].
 ///
 /// ```

@@ -40,6 +40,8 @@ pub struct Losses {
 
 /// Schemas and the conjunctions they are made of, in fixed memory.
 ///
+/// In the field: the learned model of a model-based learner, as a set of rules.
+///
 /// `PATTERNS` bounds the distinct contexts and results, `SCHEMAS` the schemas; both at most 65,534.
 ///
 /// ```
@@ -288,16 +290,16 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     }
 
     fn evict_for(&mut self, new: Schema) -> Result<SchemaId, TableFull> {
-        let evidence = |schema: &Schema| {
+        let standing = |schema: &Schema| {
             schema
                 .reliability
                 .successes()
                 .max(u32::from(schema.support))
         };
-        let mut least = (evidence(&new), None);
+        let mut least = (standing(&new), None);
         for (index, schema) in self.schemas.iter().enumerate() {
-            if evidence(schema) < least.0 {
-                least = (evidence(schema), Some(index));
+            if standing(schema) < least.0 {
+                least = (standing(schema), Some(index));
             }
         }
         if let (_, Some(index)) = least

@@ -5,11 +5,11 @@
 //! What the layers above and the overload detectors need to know is here; how layers are joined is
 //! in [`structure`](super::Structure).
 
-use core::fmt;
 use core::slice::IterMut;
 
 use super::overload::Response;
 use super::signal::{Signal, write_slice};
+use crate::check::{ConfigError, Range};
 use crate::num::{Neighbourhood, Rng, Schedule, exp};
 use crate::som::{BestMatch, DenseSom, Grid, NodeId, StimulusError, best_match};
 
@@ -19,14 +19,14 @@ const SILENCE: f32 = 1e-18;
 /// How a [`Layer`] answers and learns.
 ///
 /// ```
-/// use cla_core::layer::{LayerConfig, LayerConfigError};
+/// use cla_core::layer::LayerConfig;
 /// use cla_core::num::Schedule;
 ///
 /// let alpha = Schedule::geometric(0.5, 0.04, 6500)?;
 /// let width = Schedule::geometric(4.0, 0.7, 6500)?;
 /// assert!(LayerConfig::try_new(0.47, alpha, width).is_ok());
 /// let flat = LayerConfig::try_new(0.0, alpha, width);
-/// assert_eq!(flat, Err(LayerConfigError::ActivationWidth));
+/// assert_eq!(flat.unwrap_err().field, "LayerConfig::activation_width");
 /// # Ok::<(), cla_core::num::ScheduleError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,21 +35,6 @@ pub struct LayerConfig {
     alpha: Schedule,
     neighbourhood: Schedule,
 }
-
-/// Why a [`LayerConfig`] could not be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LayerConfigError {
-    /// σ_a is not above 10⁻⁶, or NaN or infinite.
-    ActivationWidth,
-}
-
-impl fmt::Display for LayerConfigError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the width of a layer's activation must be finite and above 0.000001")
-    }
-}
-
-impl core::error::Error for LayerConfigError {}
 
 impl LayerConfig {
     /// The share of the neighbourhood's peak below which a node is not trained: 1 %.
@@ -63,14 +48,16 @@ impl LayerConfig {
     /// neighbourhood in nodes, both by the number of samples that [`Layer::train`] is given.
     ///
     /// # Errors
-    /// [`LayerConfigError`] when `activation_width` is not above 10⁻⁶ or not finite.
+    /// [`ConfigError`] when `activation_width` is not above 10⁻⁶ or not finite.
     pub const fn try_new(
         activation_width: f32,
         alpha: Schedule,
         neighbourhood: Schedule,
-    ) -> Result<Self, LayerConfigError> {
-        if !activation_width.is_finite() || activation_width <= 1e-6 {
-            return Err(LayerConfigError::ActivationWidth);
+    ) -> Result<Self, ConfigError> {
+        // Below, its square has no inverse.
+        let width = Range::above(1e-6).check("LayerConfig::activation_width", activation_width);
+        if let Err(error) = width {
+            return Err(error);
         }
         Ok(Self {
             activation_width,
@@ -243,11 +230,6 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
     pub const fn som(&self) -> &DenseSom<WIDTH, HEIGHT, FEATURES> {
         &self.som
     }
-
-    /// The map under the layer, to restore weights.
-    pub const fn som_mut(&mut self) -> &mut DenseSom<WIDTH, HEIGHT, FEATURES> {
-        &mut self.som
-    }
 }
 
 impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Default
@@ -271,7 +253,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Signal
 
 #[cfg(test)]
 mod tests {
-    use super::{Layer, LayerConfig, LayerConfigError};
+    use super::{Layer, LayerConfig};
     use crate::num::{Neighbourhood, Rng, Schedule};
     use crate::som::{DenseSom, StimulusError};
 
@@ -285,7 +267,7 @@ mod tests {
     fn activation_is_the_gaussian_of_equation_3_1() {
         let mut layer = Layer::<2, 1, 2>::new();
         layer.configure(&config(0.8));
-        layer.som_mut().prototypes_mut().as_mut_slice()[1] = [3.0, 4.0];
+        layer.som.prototypes_mut().as_mut_slice()[1] = [3.0, 4.0];
         layer.activate(&[0.6, 0.8]).unwrap();
         // Distances 1 and 4: exp(−1/1.28) and exp(−16/1.28).
         let expected = [(-1.0_f64 / 1.28).exp(), (-16.0_f64 / 1.28).exp()];
@@ -337,7 +319,11 @@ mod tests {
     fn widths_that_are_no_widths_are_refused() {
         for width in [0.0, -1.0, 1e-7, f32::NAN, f32::INFINITY] {
             let made = LayerConfig::try_new(width, Schedule::ZERO, Schedule::ZERO);
-            assert_eq!(made, Err(LayerConfigError::ActivationWidth), "{width}");
+            assert_eq!(
+                made.unwrap_err().field,
+                "LayerConfig::activation_width",
+                "{width}"
+            );
         }
     }
 
@@ -348,7 +334,7 @@ mod tests {
         // exp(−40.5) is 2.6 · 10⁻¹⁸, exp(−42) is less than 10⁻¹⁸.
         let places = [[9.0], [84.0_f32.sqrt()]];
         layer
-            .som_mut()
+            .som
             .prototypes_mut()
             .as_mut_slice()
             .copy_from_slice(&places);
@@ -377,7 +363,8 @@ mod tests {
         layer.start(&config(0.5), &mut Rng::new(2));
         assert_eq!(layer.total_activation(), 0.0);
         assert_ne!(*layer.som(), before);
-        assert!(std::format!("{}", LayerConfigError::ActivationWidth).contains("width"));
+        let flat = LayerConfig::try_new(0.0, Schedule::ZERO, Schedule::ZERO);
+        assert!(std::format!("{}", flat.unwrap_err()).contains("width"));
         let edge = LayerConfig::try_new(2e-6, Schedule::ZERO, Schedule::ZERO);
         assert!(edge.is_ok());
     }

@@ -58,7 +58,7 @@ mod recurrent;
 mod signal;
 mod structure;
 
-pub use cla_layer::{Layer, LayerConfig, LayerConfigError};
+pub use cla_layer::{Layer, LayerConfig};
 pub use composite::ActivationComposite;
 pub use delay::{DelayLine, Delayed, Window};
 pub use fallback::{Level, answering_level};

@@ -12,6 +12,8 @@ use crate::word::{ActionId, Cost};
 
 /// How often `item` was on right after `trace` had succeeded.
 ///
+/// In the field: a bigram count that forgets.
+///
 /// ```
 /// assert_eq!(core::mem::size_of::<cla_core::level2::Belief>(), 8);
 /// ```
@@ -40,7 +42,7 @@ pub(crate) struct Row<const ACTIONS: usize> {
     pub(crate) then: f32,
     /// How often its schema has succeeded.
     pub(crate) visits: f32,
-    /// How much a surprise now still concerns it; it fades with time.
+    /// How much a TD error now still concerns it, its eligibility; it fades with time.
     pub(crate) eligibility: f32,
     /// When its schema last succeeded, by the table's clock.
     pub(crate) used: u32,
@@ -60,7 +62,7 @@ pub struct BeliefLosses {
     pub evicted_items: u32,
     /// Schemas that found no room to become items.
     pub refused_items: u32,
-    /// Counters with the least evidence that made room for new ones.
+    /// Counters with the lowest count that made room for new ones.
     pub evicted_beliefs: u32,
 }
 

@@ -7,6 +7,7 @@
 //! and half what has really followed it.
 
 use super::belief::{Belief, BeliefLosses, BeliefTable, Row, uses};
+use crate::check::{Config, ConfigError, Range};
 use crate::choice::{Appraisal, Preference, ValueConfig, Voice, most_worth, state_of};
 use crate::knowledge::{
     KnowledgeBase, Others, PatternId, Reliability, Schema, SchemaId, SyntheticId,
@@ -49,6 +50,7 @@ pub struct Level2Config {
 /// assert_eq!(Level2Config::FORAGER.fallback, Fallback::Never);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Fallback {
     /// Level 2 decides wherever it knows what happened last; its beliefs fall back one by one.
     Never,
@@ -70,18 +72,21 @@ impl Level2Config {
         values_per_step: 4,
         fallback: Fallback::Never,
     };
+}
 
-    /// Whether the values make sense together.
-    pub(crate) fn is_sound(&self) -> bool {
-        let share = match self.fallback {
-            Fallback::MeanReliability(share) => share,
-            Fallback::Never | Fallback::ValueThenReliability => 0.0,
-        };
-        let shares = [share, self.experience, self.lambda, self.learning_rate];
-        self.prior.is_finite()
-            && self.prior > 0.0
-            && (0.0..1.0).contains(&self.forgetting)
-            && shares.iter().all(|share| (0.0..=1.0).contains(share))
+impl Config for Level2Config {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::ABOVE_ZERO.check("Level2Config::prior", self.prior)?;
+        Range::SHARE.check("Level2Config::experience", self.experience)?;
+        Range::SHARE.check("Level2Config::lambda", self.lambda)?;
+        Range::SHARE.check("Level2Config::learning_rate", self.learning_rate)?;
+        Range::BELOW_ONE.check("Level2Config::forgetting", self.forgetting)?;
+        match self.fallback {
+            Fallback::MeanReliability(share) => {
+                Range::SHARE.check("Fallback::MeanReliability", share)
+            }
+            Fallback::Never | Fallback::ValueThenReliability => Ok(()),
+        }
     }
 }
 
@@ -118,6 +123,9 @@ impl Rates {
 }
 
 /// The second level of a brain: `SYNTHETIC` items and `BELIEFS` counters.
+///
+/// In the field: the state is the last success, a history of one; beliefs are bigram counts smoothed
+/// with a Dirichlet prior of κ whose mean is level 1, and what followed is learned by TD(λ).
 ///
 /// It reads the knowledge base of the first level and changes nothing there but the mark which
 /// schema has an item.
@@ -327,7 +335,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         let (Some(before), Some(after)) = (self.table.row(from), self.table.row(to)) else {
             return;
         };
-        let surprise = reward + discount * after.experienced - before.experienced;
+        let error = reward + discount * after.experienced - before.experienced;
         let mut felt = 0;
         let fading = discount * config.lambda;
         // From so many visits on a visit's share is below the learning rate, whatever the rounding.
@@ -360,7 +368,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
                     config.learning_rate
                 }
             };
-            row.experienced += step * row.eligibility * surprise;
+            row.experienced += step * row.eligibility * error;
             row.then = self.rates.then(row);
         }
         let cost = &mut self.table.cost;

@@ -4,6 +4,7 @@ use super::{
     ActionId, BeliefTable, Fallback, KnowledgeBase, Level2Config, Rates, SchemaId, SecondLevel,
     SyntheticId, ValueConfig, Voice,
 };
+use crate::check::Config;
 use crate::map::{ActionSomBank, HarvestConfig, ResultCoding, Sample, TrainingConfig};
 use crate::num::Rng;
 use crate::word::{ItemId, ItemStates, SchemaText, Vocabulary};
@@ -544,9 +545,9 @@ fn a_configuration_of_level_2_is_sound_when_every_number_is_in_range() {
     ];
     for (index, spoil) in bad.into_iter().enumerate() {
         let mut config = Level2Config::FORAGER;
-        assert!(config.is_sound());
+        assert!(config.check().is_ok());
         spoil(&mut config);
-        assert!(!config.is_sound(), "{index}");
+        assert!(config.check().is_err(), "{index}");
     }
     for fallback in [
         Fallback::MeanReliability(0.7),
@@ -556,6 +557,6 @@ fn a_configuration_of_level_2_is_sound_when_every_number_is_in_range() {
             fallback,
             ..Level2Config::FORAGER
         };
-        assert!(good.is_sound());
+        assert!(good.check().is_ok());
     }
 }

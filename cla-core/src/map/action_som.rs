@@ -5,7 +5,7 @@
 //! acts needs no bank.
 
 use super::sample::Sample;
-use crate::check::{ConfigError, is_share};
+use crate::check::{Config, ConfigError, Range, check_some};
 use crate::num::{Neighbourhood, Rng, Schedule};
 use crate::som::{BestMatch, BinarySom, Grid, NodeId, Prototypes, SparseStimulus, best_match};
 use crate::word::{ActionId, Cost};
@@ -81,18 +81,23 @@ impl TrainingConfig {
             after: 0,
         }),
     };
+}
 
-    /// Whether the values make sense together.
-    pub(crate) fn check(&self) -> Result<(), ConfigError> {
-        if !is_share(self.alpha.at(0)) || !is_share(self.alpha.at(u32::MAX)) {
-            return Err(ConfigError::Alpha);
+impl Config for Recruitment {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::NOT_NEGATIVE.check("Recruitment::vigilance", self.vigilance)
+    }
+}
+
+impl Config for TrainingConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        // A schedule never rises above the larger of its ends.
+        for samples in [0, u32::MAX] {
+            Range::SHARE.check("TrainingConfig::alpha", self.alpha.at(samples))?;
         }
-        let vigilance = self.recruitment.map_or(0.0, |it| it.vigilance);
-        let positive = |x: f32| x.is_finite() && x >= 0.0;
-        if !is_share(self.cut) || !positive(self.result_weight) || !positive(vigilance) {
-            return Err(ConfigError::Training);
-        }
-        Ok(())
+        Range::SHARE.check("TrainingConfig::cut", self.cut)?;
+        Range::NOT_NEGATIVE.check("TrainingConfig::result_weight", self.result_weight)?;
+        check_some(&self.recruitment)
     }
 }
 
@@ -104,6 +109,7 @@ impl TrainingConfig {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Trained {
     /// The winner and its neighbours moved towards the sample.
     Adapted,
@@ -123,6 +129,9 @@ pub(crate) struct MapScratch<const WIDTH: usize, const HEIGHT: usize> {
 }
 
 /// The map of one action: a context half `M` and a result half `R`.
+///
+/// In the field: a Kohonen map of the transitions under one action, a vector quantizer; recruitment by a
+/// vigilance is that of adaptive resonance (ART).
 ///
 /// ```
 /// use cla_core::map::{ActionSom, ResultCoding, Sample, TrainingConfig};

@@ -8,6 +8,8 @@ use crate::word::{ItemId, ItemSet, SignedItems};
 
 /// Counts, for each item, the moments at which it was on.
 ///
+/// In the field: marginal frequencies of the features.
+///
 /// ```
 /// use cla_core::map::BaseRates;
 /// use cla_core::word::ItemSet;

@@ -2,7 +2,7 @@
 
 use super::action_som::ActionSom;
 use super::sample::ResultCoding;
-use crate::check::{ConfigError, is_share};
+use crate::check::{Config, ConfigError, Range};
 use crate::som::{NodeId, Prototypes};
 use crate::word::{ItemId, SignedItems};
 
@@ -35,14 +35,12 @@ impl HarvestConfig {
         off: 0.1,
         minimum_wins: 1,
     };
+}
 
-    /// Whether the values make sense together.
-    pub(crate) fn check(&self) -> Result<(), ConfigError> {
-        let HarvestConfig { on, off, .. } = *self;
-        if !is_share(on) || !is_share(off) || off >= on {
-            return Err(ConfigError::Thresholds);
-        }
-        Ok(())
+impl Config for HarvestConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::SHARE.check("HarvestConfig::on", self.on)?;
+        Range::below(self.on).check("HarvestConfig::off", self.off)
     }
 }
 

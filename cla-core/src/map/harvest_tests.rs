@@ -1,6 +1,7 @@
 //! What a node of a map says, and when.
 
 use super::{HarvestConfig, harvest_node};
+use crate::check::Config;
 use crate::map::{ActionSomBank, Recruitment, ResultCoding, Sample, TrainingConfig};
 use crate::num::{Rng, Schedule};
 use crate::som::NodeId;

@@ -210,6 +210,8 @@ impl Iterator for Items<'_> {
 
 /// What is known of every item at one moment: on, off or unknown.
 ///
+/// In the field: an observation of binary features with missing values (Kleene's three values).
+///
 /// ```
 /// use cla_core::word::{ItemId, ItemStates};
 /// let mut now = ItemStates::<1>::all_off(7);

@@ -38,6 +38,7 @@ pub struct SchemaText<const WORDS: usize> {
 
 /// Why a text is not a schema.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum NotationError {
     /// There are not two slashes.
     Slashes,

@@ -13,7 +13,7 @@ use core::panic::PanicInfo;
 
 use cla_core::adaptation::*;
 use cla_core::agent::*;
-use cla_core::check::ConfigError;
+use cla_core::check::{Config, ConfigError};
 use cla_core::choice::*;
 use cla_core::forager::pioneer::{Action, Brain, Percept, be_born};
 use cla_core::forager::small;
@@ -116,7 +116,7 @@ entries! {
     sets {
         // What a robot needs that only acts, and what one needs that learns.
         "acting" = ["choose", "knowledge_record", "improve_values"],
-        "training" = ["begin", "reconfigure", "choose", "learn", "observe", "act"],
+        "training" = ["be_born", "reconfigure", "choose", "learn", "observe", "act"],
     }
     "control" (slice: &[u8], index: usize) -> u8 { slice[index] }
 
@@ -240,8 +240,8 @@ entries! {
         be_born(brain, config, seed)
     }
     "action_of" (id: ActionId) -> Option<Action> { Action::of(id) }
-    "begin" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
-        brain.begin(config, seed)
+    "be_born_with" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
+        brain.be_born(config, &[(ItemId(1), 1.0)], seed)
     }
     "reconfigure" (brain: &mut Agent6, config: AgentConfig) -> Result<(), ConfigError> {
         brain.reconfigure(config)
@@ -388,7 +388,7 @@ entries! {
     }
     "accommodation" (
         it: &mut Mind, action: ActionId, sample: &Transition<3>, config: &AccommodationConfig, rng: &mut Rng,
-    ) -> Surprise {
+    ) -> Accommodated {
         if it.schemas().len() > 190 {
             it.clear();
         }
@@ -397,7 +397,7 @@ entries! {
     }
     "accommodation_seeded" (
         it: &mut Mind, action: ActionId, sample: &Transition<3>, config: &AccommodationConfig, rng: &mut Rng,
-    ) -> Surprise { it.observe_seeded(action, sample, [*sample], config, rng) }
+    ) -> Accommodated { it.observe_seeded(action, sample, [*sample], config, rng) }
     "explain" (
         it: &mut Mind, action: ActionId, seed: &Transition<3>, item: ItemId, mode: &Items3, growth: &GrowthConfig,
     ) -> Option<Entry> { it.explain(action, seed, item, mode, growth) }

@@ -14,6 +14,8 @@ const NEVER: u8 = u8::MAX;
 
 /// What one attempt to reach a goal has come to.
 ///
+/// In the field: the execution of an option (Sutton, Precup and Singh 1999).
+///
 /// ```
 /// use cla_core::growth::{Attempt, Progress};
 /// use cla_core::word::{ItemId, ItemSet, SignedItems};

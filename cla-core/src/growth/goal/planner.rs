@@ -3,10 +3,11 @@
 //! A state is predicted by applying all reliable schemas of an action at once, so what is lost on
 //! the way counts too (the backward chain of `composite_action` walks to the mouth without the ball).
 //! States with items that were never seen together are refused, schemas that failed in this attempt
-//! are suspended, and a plan that meets a surprise is made anew.
+//! are suspended, and a plan that meets what it did not foresee is made anew.
 //! Memory is `NODES` states of 20 bytes (for three words) and a table of item pairs.
 
 use super::composite_action::holds;
+use crate::check::{Config, ConfigError, Range};
 use crate::growth::simple_schema::SimpleSchema;
 use crate::num::ln;
 use crate::word::{ActionId, ItemId, ItemSet, SignedItems};
@@ -42,6 +43,13 @@ impl PlannerConfig {
     };
 }
 
+impl Config for PlannerConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        Range::SHARE.check("PlannerConfig::reliable", self.reliable)?;
+        Range::AT_LEAST_ONE.check("PlannerConfig::actions", f32::from(self.actions))
+    }
+}
+
 /// A state on the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Node<const WORDS: usize> {
@@ -56,6 +64,8 @@ struct Node<const WORDS: usize> {
 }
 
 /// A planner and its memory.
+///
+/// In the field: best-first search over predicted states.
 ///
 /// ```
 /// use cla_core::growth::{Planner, PlannerConfig, SimpleSchema};

@@ -31,6 +31,8 @@ impl core::error::Error for NoRoomForItem {}
 
 /// One synthetic item: the schema that it stands for, and what was last known of it.
 ///
+/// In the field: a latent state variable, defined by the test that reveals it (a predictive state).
+///
 /// ```
 /// use cla_core::growth::SyntheticItems;
 /// use cla_core::word::{SchemaText, Vocabulary};

@@ -5,9 +5,8 @@
 //! Our extension of section 3.4, whose single minimum is blind to noise of the same total.
 //! It does not see a wrong order of right moments; [`Transitions`](super::Transitions) does.
 
-use core::fmt;
-
 use super::{OverloadDetector, Response};
+use crate::check::{ConfigError, Range};
 use crate::som::{BestMatch, Grid};
 
 /// When a distance is too far.
@@ -24,29 +23,6 @@ pub struct MatchDistanceConfig {
     pooling: f32,
     limit: f32,
 }
-
-/// Why a [`MatchDistanceConfig`] could not be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MatchDistanceConfigError {
-    /// The decay is outside `[0, 1]`.
-    Decay,
-    /// The pooling is negative or not finite.
-    Pooling,
-    /// The limit is not above 0 or not finite.
-    Limit,
-}
-
-impl fmt::Display for MatchDistanceConfigError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Decay => "the decay of a node's distance must lie between 0 and 1",
-            Self::Pooling => "the pooling of distances must be finite and not negative",
-            Self::Limit => "the limit of a distance must be finite and above 0",
-        })
-    }
-}
-
-impl core::error::Error for MatchDistanceConfigError {}
 
 impl MatchDistanceConfig {
     /// Decay .998 a win, a quarter of the layer's mean added, limit 1.5.
@@ -65,20 +41,17 @@ impl MatchDistanceConfig {
     /// `limit`, > 0: how many times that sum a squared distance may be.
     ///
     /// # Errors
-    /// [`MatchDistanceConfigError`] names the number that is out of range.
-    pub const fn try_new(
-        decay: f32,
-        pooling: f32,
-        limit: f32,
-    ) -> Result<Self, MatchDistanceConfigError> {
-        if !(decay >= 0.0 && decay <= 1.0) {
-            return Err(MatchDistanceConfigError::Decay);
+    /// [`ConfigError`] names the number that is out of range.
+    pub const fn try_new(decay: f32, pooling: f32, limit: f32) -> Result<Self, ConfigError> {
+        // `?` is not for constants.
+        if let Err(error) = Range::SHARE.check("MatchDistanceConfig::decay", decay) {
+            return Err(error);
         }
-        if !(pooling >= 0.0 && pooling < f32::INFINITY) {
-            return Err(MatchDistanceConfigError::Pooling);
+        if let Err(error) = Range::NOT_NEGATIVE.check("MatchDistanceConfig::pooling", pooling) {
+            return Err(error);
         }
-        if !(limit > 0.0 && limit < f32::INFINITY) {
-            return Err(MatchDistanceConfigError::Limit);
+        if let Err(error) = Range::ABOVE_ZERO.check("MatchDistanceConfig::limit", limit) {
+            return Err(error);
         }
         Ok(Self {
             decay,
@@ -218,7 +191,7 @@ impl<const WIDTH: usize, const HEIGHT: usize> OverloadDetector for MatchDistance
 
 #[cfg(test)]
 mod tests {
-    use super::{MatchDistance, MatchDistanceConfig, MatchDistanceConfigError};
+    use super::{MatchDistance, MatchDistanceConfig};
     use crate::layer::overload::{OverloadDetector, Response};
     use crate::som::{BestMatch, NodeId};
 
@@ -266,19 +239,14 @@ mod tests {
 
     #[test]
     fn numbers_out_of_range_are_named() {
-        type C = MatchDistanceConfig;
-        assert_eq!(
-            C::try_new(f32::NAN, 0.0, 1.0),
-            Err(MatchDistanceConfigError::Decay)
-        );
-        assert_eq!(
-            C::try_new(0.5, -1.0, 1.0),
-            Err(MatchDistanceConfigError::Pooling)
-        );
-        assert_eq!(
-            C::try_new(0.5, 0.0, 0.0),
-            Err(MatchDistanceConfigError::Limit)
-        );
+        for (decay, pooling, limit, field) in [
+            (f32::NAN, 0.0, 1.0, "MatchDistanceConfig::decay"),
+            (0.5, -1.0, 1.0, "MatchDistanceConfig::pooling"),
+            (0.5, 0.0, 0.0, "MatchDistanceConfig::limit"),
+        ] {
+            let refused = MatchDistanceConfig::try_new(decay, pooling, limit).unwrap_err();
+            assert_eq!(refused.field, field);
+        }
     }
 
     #[test]
@@ -301,24 +269,24 @@ mod tests {
 
     #[test]
     fn every_number_of_the_rule_is_checked_and_its_edges_are_good() {
-        use MatchDistanceConfigError::{Decay, Limit, Pooling};
-        let made =
-            |decay, pooling, limit| MatchDistanceConfig::try_new(decay, pooling, limit).err();
+        let [decay, pooling, limit] = ["decay", "pooling", "limit"]
+            .map(|field| Some(std::format!("MatchDistanceConfig::{field}")));
+        let made = |decay, pooling, limit| {
+            let error = MatchDistanceConfig::try_new(decay, pooling, limit).err();
+            error.map(|error| std::string::String::from(error.field))
+        };
         for good in [(0.0, 0.0, 0.1), (1.0, 9.0, 99.0)] {
             assert_eq!(made(good.0, good.1, good.2), None);
         }
-        for decay in [-0.1, 1.1, f32::NAN] {
-            assert_eq!(made(decay, 0.5, 1.0), Some(Decay));
+        for wrong in [-0.1, 1.1, f32::NAN] {
+            assert_eq!(made(wrong, 0.5, 1.0), decay);
         }
-        for pooling in [-0.1, f32::INFINITY, f32::NAN] {
-            assert_eq!(made(0.5, pooling, 1.0), Some(Pooling));
+        for wrong in [-0.1, f32::INFINITY, f32::NAN] {
+            assert_eq!(made(0.5, wrong, 1.0), pooling);
         }
-        for limit in [0.0, -1.0, f32::INFINITY, f32::NAN] {
-            assert_eq!(made(0.5, 0.5, limit), Some(Limit));
+        for wrong in [0.0, -1.0, f32::INFINITY, f32::NAN] {
+            assert_eq!(made(0.5, 0.5, wrong), limit);
         }
         assert_eq!(MatchDistanceConfig::STANDARD.limit(), 1.5);
-        for (error, word) in [(Decay, "decay"), (Pooling, "pooling"), (Limit, "limit")] {
-            assert!(std::format!("{error}").contains(word));
-        }
     }
 }

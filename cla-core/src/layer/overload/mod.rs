@@ -11,7 +11,7 @@ mod match_distance;
 mod total_activation;
 mod transitions;
 
-pub use match_distance::{MatchDistance, MatchDistanceConfig, MatchDistanceConfigError};
+pub use match_distance::{MatchDistance, MatchDistanceConfig};
 pub use total_activation::TotalActivation;
 pub use transitions::Transitions;
 

@@ -1,15 +1,18 @@
 //! How a second level harvested from maps learns, with what works best by name.
 
 use super::implication::Reading;
-use crate::check::{ConfigError, is_share};
+use crate::check::{Config, ConfigError, Range};
 use crate::map::{HarvestConfig, TrainingConfig};
 
 /// How a level harvested from maps learns.
 ///
 /// ```
+/// use cla_core::check::Config;
 /// use cla_core::level2::{Reading, SomLevelConfig};
 /// let book = SomLevelConfig { reading: Reading::Cut(0.9), ..SomLevelConfig::FORAGER };
 /// assert_eq!(book.harvest.on, 0.9);
+/// let never = SomLevelConfig { harvest_every: 0, ..book };
+/// assert_eq!(never.check().unwrap_err().field, "SomLevelConfig::harvest_every");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SomLevelConfig {
@@ -43,31 +46,19 @@ impl SomLevelConfig {
     };
 }
 
-impl SomLevelConfig {
-    /// Whether the values make sense together.
-    ///
-    /// # Errors
-    /// The first [`ConfigError`] found.
-    ///
-    /// ```
-    /// use cla_core::check::ConfigError;
-    /// use cla_core::level2::SomLevelConfig;
-    /// let config = SomLevelConfig { harvest_every: 0, ..SomLevelConfig::FORAGER };
-    /// assert_eq!(config.check(), Err(ConfigError::NoActions));
-    /// ```
-    pub fn check(&self) -> Result<(), ConfigError> {
-        let positive = |x: f32| x.is_finite() && x > 0.0;
-        let reads = match self.reading {
-            Reading::Counters { prior, trace_prior } => positive(prior) && positive(trace_prior),
-            Reading::Cut(share) => is_share(share),
-        };
-        if !reads || !(0.0..1.0).contains(&self.forgetting) {
-            return Err(ConfigError::Level2);
-        }
-        if self.harvest_every == 0 {
-            return Err(ConfigError::NoActions);
-        }
+impl Config for SomLevelConfig {
+    fn check(&self) -> Result<(), ConfigError> {
+        self.training.check()?;
         self.harvest.check()?;
-        self.training.check()
+        let every = self.harvest_every as f32;
+        Range::AT_LEAST_ONE.check("SomLevelConfig::harvest_every", every)?;
+        match self.reading {
+            Reading::Counters { prior, trace_prior } => {
+                Range::ABOVE_ZERO.check("Reading::Counters::prior", prior)?;
+                Range::ABOVE_ZERO.check("Reading::Counters::trace_prior", trace_prior)?;
+            }
+            Reading::Cut(share) => Range::SHARE.check("Reading::Cut", share)?,
+        }
+        Range::BELOW_ONE.check("SomLevelConfig::forgetting", self.forgetting)
     }
 }

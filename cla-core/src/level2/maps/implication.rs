@@ -19,6 +19,7 @@ use crate::word::{ActionId, ItemStates, SchemaText};
 /// assert_ne!(SomLevelConfig::FORAGER.reading, Reading::Cut(0.9));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Reading {
     /// Shares, smoothed with what is known with less context.
     Counters {

@@ -22,7 +22,7 @@ pub(crate) struct Label {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Labels<const LABELS: usize> {
     all: heapless::Vec<Label, LABELS, u16>,
-    /// Counters with the least evidence that made room for new ones.
+    /// Counters with the lowest count that made room for new ones.
     pub(crate) evicted: u32,
 }
 
@@ -102,7 +102,7 @@ impl<const LABELS: usize> Labels<LABELS> {
         }
     }
 
-    /// Adds `on` to a counter; a full table drops the one with the least evidence.
+    /// Adds `on` to a counter; a full table drops the one with the lowest count.
     pub(crate) fn add(&mut self, place: u16, action: ActionId, item: SyntheticId, on: f32) {
         let key = |label: &Label| (label.place, label.action, label.item);
         let new = Label {

@@ -10,7 +10,7 @@ use super::config::SomLevelConfig;
 use super::implication::{Implications, Synthetic};
 use super::labels::Labels;
 use super::reading::{Bank, read, widened};
-use crate::check::ConfigError;
+use crate::check::{Checked, Config, ConfigError};
 use crate::choice::{Preference, ValueConfig};
 use crate::knowledge::{KnowledgeBase, Reliability, SchemaId, SyntheticId};
 use crate::map::{ActionSomBank, ResultCoding, Sample, Trained};
@@ -47,7 +47,7 @@ pub struct SomLevelLosses {
     pub displaced_nodes: u32,
     /// Level-2 schemas that found no room.
     pub refused_schemas: u32,
-    /// Counters with the least evidence that made room for new ones.
+    /// Counters with the lowest count that made room for new ones.
     pub evicted_labels: u32,
     /// Nodes of the last harvest that say nothing about an item's schema.
     pub unread_nodes: u32,
@@ -86,11 +86,11 @@ struct Here<const WORDS: usize> {
 /// use cla_core::word::{ActionId, ItemId, ItemStates};
 /// let mut knowledge = KnowledgeBase::<1, 16, 16>::new();
 /// let mut level = Box::new(SomLevel::<1, 2, 1, 32, 4, 4, 1, 64, 256>::new());
-/// level.begin(SomLevelConfig::FORAGER, &mut Rng::new(1))?;
+/// level.be_born(SomLevelConfig::FORAGER, &mut Rng::new(1))?;
 /// let now = ItemStates::all_off(2);
 /// level.learn(&mut knowledge, &now, ActionId(0), &now, &ValueConfig::FORAGER, Learning::Maps);
 /// assert_eq!(level.items(), 0); // no schema of level 1 has succeeded
-/// # Ok::<(), cla_core::check::ConfigError>(())
+/// # Ok::<(), cla_core::ConfigError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct SomLevel<
@@ -109,7 +109,7 @@ pub struct SomLevel<
     tried: [Grid<[f32; ACTIONS], WIDTH, HEIGHT>; ACTIONS],
     labels: Labels<LABELS>,
     implied: Implications<WORDS, FEATURES, ACTIONS, ROWS, LABELS>,
-    config: Option<SomLevelConfig>,
+    config: Option<Checked<SomLevelConfig>>,
     here: Option<Here<WORDS>>,
     predictions: Reliability,
     next_value: u16,
@@ -129,7 +129,7 @@ impl<
     const LABELS: usize,
 > SomLevel<WORDS, ITEMS, WIDE, FEATURES, WIDTH, HEIGHT, ACTIONS, ROWS, LABELS>
 {
-    /// A level that has not begun.
+    /// A level that is not born.
     ///
     /// It is made for a host: as a static it would lie in flash as well as in RAM.
     #[must_use]
@@ -160,13 +160,12 @@ impl<
         }
     }
 
-    /// Begins: random maps, no item, no level-2 schema.
+    /// Is born: random maps, no item, no level-2 schema.
     ///
     /// # Errors
     /// [`ConfigError`]; the level is as it was.
-    pub fn begin(&mut self, config: SomLevelConfig, rng: &mut Rng) -> Result<(), ConfigError> {
-        config.check()?;
-        self.config = Some(config);
+    pub fn be_born(&mut self, config: SomLevelConfig, rng: &mut Rng) -> Result<(), ConfigError> {
+        self.config = Some(config.checked()?);
         self.bank.randomize(rng);
         for grid in &mut self.tried {
             grid.as_mut_slice().fill([0.0; ACTIONS]);

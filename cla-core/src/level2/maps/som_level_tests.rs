@@ -69,7 +69,7 @@ fn swung<const FEATURES: usize>(reading: Reading) -> (Level<FEATURES>, Knowledge
         ..SomLevelConfig::FORAGER
     };
     let (mut level, mut knowledge) = (Level::new(), knowledge());
-    level.begin(config, &mut Rng::new(5)).unwrap();
+    level.be_born(config, &mut Rng::new(5)).unwrap();
     swing(&mut level, &mut knowledge, 400, Learning::Maps);
     level.harvest();
     (level, knowledge)

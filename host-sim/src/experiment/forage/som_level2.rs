@@ -42,7 +42,7 @@ impl TwoLevels {
         seed: u64,
     ) -> Result<Self, Failure> {
         let mut level = Box::new(Level::new());
-        level.begin(config, &mut Rng::stream(seed, 4))?;
+        level.be_born(config, &mut Rng::stream(seed, 4))?;
         Ok(Self {
             brain,
             level,

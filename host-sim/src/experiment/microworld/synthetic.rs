@@ -50,7 +50,7 @@ const CONFIG_OF_GROWTH: AccommodationConfig = AccommodationConfig {
     keep: 0.9,
     grace: 1,
     revisits: 1,
-    doubt: 0,
+    untested: 0,
     ..AccommodationConfig::EXACT
 };
 

@@ -1,0 +1,48 @@
+//! What `brain!` says and makes, as far as it compiles; what must not stands in its documentation.
+
+use super::message::Message;
+
+#[test]
+fn the_message_has_the_bytes_as_they_are_written() {
+    for (takes, text) in [
+        (9, "9"),
+        (1000, "1_000"),
+        (33_024, "33_024"),
+        (1_204_567, "1_204_567"),
+    ] {
+        let expected = std::format!(
+            "the brain takes {text} bytes, and `ram` allows 0: allow more, or give it less"
+        );
+        assert_eq!(Message::of_ram(takes, 0).as_str(), expected);
+    }
+}
+
+crate::brain! {
+    /// The keys in another order, and all of them.
+    #[allow(dead_code, unreachable_pub)]
+    mod shuffled {
+        ram: 9_000,
+        beliefs: 8,
+        maps: 2 x 2 of bytes,
+        values: [gold = 2.0, silver = 1.0],
+        schemas: 16,
+        synthetic: 4,
+        actions: [dig],
+        patterns: 16,
+        items: [earth, silver, gold],
+    }
+}
+
+#[test]
+fn the_keys_of_a_robot_may_stand_in_any_order() {
+    let mut brain = shuffled::brain();
+    shuffled::be_born(&mut brain, crate::AgentConfig::FORAGER_LEVEL2, 1).unwrap();
+    let worth = |item: shuffled::Item| brain.knowledge().inherent_value(item.id());
+    assert_eq!(worth(shuffled::Item::gold), 2.0);
+    assert_eq!(worth(shuffled::Item::silver), 1.0);
+    assert_eq!(worth(shuffled::Item::earth), 0.0);
+    let actions: std::vec::Vec<_> = (0..2)
+        .map(|id| shuffled::Action::of(crate::ActionId(id)))
+        .collect();
+    assert_eq!(actions, [Some(shuffled::Action::dig), None]);
+}
