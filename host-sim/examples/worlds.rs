@@ -235,25 +235,30 @@ fn main() -> Result<(), Failure> {
     let seeds = arguments.get(1).map_or(Ok(10), |text| text.parse())?;
     let tuning = arguments.iter().any(|it| it == "tune");
     println!("{}", arguments.join(" "));
+    // The largest brain passes over the stack once, on its way to the heap.
+    let pool = rayon::ThreadPoolBuilder::new().stack_size(32 << 20);
+    pool.build_global()?;
     match world {
-        "lake" => run(
-            &Place {
-                make: Lake::new,
-                train: 20_000,
-                test: 20_000,
-                score: |_, _, income| income.per_episode(),
-                planner: |_| {
-                    let plan = Lake::optimum();
-                    println!("optimum {:.4} of episodes", plan.value(0));
-                    Box::new(move |it| plan.action(it.field(), it.left() as usize))
+        "lake" => {
+            println!("optimum {:.4} of episodes", Lake::optimum().value(0));
+            run(
+                &Place {
+                    make: Lake::new,
+                    train: 20_000,
+                    test: 20_000,
+                    score: |_, _, income| income.per_episode(),
+                    planner: |_| {
+                        let plan = Lake::optimum();
+                        Box::new(move |it| plan.action(it.field(), it.left() as usize))
+                    },
+                    hand: |_, seed| Box::new(Untaught::new(lake::Careful, seed)),
+                    brain: born!(skater),
+                    tuned: lake::TUNED,
                 },
-                hand: |_, seed| Box::new(Untaught::new(lake::Careful, seed)),
-                brain: born!(skater),
-                tuned: lake::TUNED,
-            },
-            seeds,
-            tuning,
-        ),
+                seeds,
+                tuning,
+            )
+        }
         "shuttle" => {
             let plan = Arc::new(Plan::new(the_shuttle(), PlanConfig::DEFAULT));
             let place = Place {
@@ -263,7 +268,6 @@ fn main() -> Result<(), Failure> {
                 score: |_, _, income| income.per_action(),
                 planner: |world: &PomdpWorld| {
                     let rate = world.model().model().rate(1e-9);
-                    println!("optimum, states known {:.4} an action", rate.gain);
                     Box::new(move |it| rate.policy[it.state()])
                 },
                 hand: |_, seed| Box::new(Untaught::new(shuttle::Docker::default(), seed)),
@@ -275,6 +279,8 @@ fn main() -> Result<(), Failure> {
                 Ok(Box::new(Untaught::new(believer, seed)))
             })?;
             show("planner with a belief", &believing);
+            let known = the_shuttle().model().rate(1e-9).gain;
+            println!("optimum, states known {known:.4} an action");
             run(&place, seeds, tuning)
         }
         "vacuum" => run(

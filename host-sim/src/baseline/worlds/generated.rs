@@ -1,8 +1,8 @@
 //! The rivals of generated worlds.
 //!
-//! The one written by hand is the engineer who made the world: who knows what every item shows and
-//! every action does, reads the values off the percept, and where an item errs or two values share
-//! one, takes the value that the last action should have led to.
+//! The one written by hand is the engineer who made the world: who knows what every item shows, how
+//! often it errs and what every action does, keeps a belief over the states, and does what is best in
+//! the likeliest.
 
 use std::sync::Arc;
 
@@ -14,6 +14,7 @@ use crate::baseline::tabular::History;
 use crate::learner::controller::Controller;
 use crate::world::Percept;
 use crate::world::generated::{Shown, Spec};
+use crate::world::solve::Mdp;
 
 /// The learners that did best here.
 pub const TUNED: Tuned = Tuned {
@@ -24,6 +25,9 @@ pub const TUNED: Tuned = Tuned {
     linear: linear(History::None, 0.3, 0.9, 0.9),
     linear_history: linear(History::TwoSteps, 0.3, 0.9, 0.5),
 };
+
+/// Least likelihood of a reading: nothing is impossible, or one surprise would end a belief.
+const LEAST: f64 = 1e-3;
 
 /// Reads the percept by what is known of the world.
 ///
@@ -36,22 +40,27 @@ pub const TUNED: Tuned = Tuned {
 #[derive(Clone, Debug)]
 pub struct Engineer {
     spec: Arc<Spec>,
+    model: Arc<Mdp>,
     policy: Arc<[usize]>,
     optimum: f64,
-    /// The state that is expected now.
-    expected: Option<usize>,
+    /// How likely each state is.
+    belief: Vec<f64>,
+    last: Option<usize>,
 }
 
 impl Engineer {
-    /// One who has just begun.
+    /// One who has just begun, and may be anywhere.
     #[must_use]
     pub fn new(spec: Arc<Spec>) -> Self {
-        let rate = spec.model().rate(1e-6);
+        let model = spec.model();
+        let rate = model.rate(1e-6);
         Self {
+            belief: vec![1.0 / spec.states() as f64; spec.states()],
             spec,
+            model: Arc::new(model),
             policy: rate.policy.into(),
             optimum: rate.gain,
-            expected: None,
+            last: None,
         }
     }
 
@@ -61,36 +70,53 @@ impl Engineer {
         self.optimum
     }
 
-    /// How many of the items that show values a state disagrees with.
-    fn disagrees(&self, state: usize, percept: &Percept) -> usize {
-        let wrong = |(index, shown): (usize, &Shown)| match *shown {
-            Shown::Value { variable, values } => {
+    /// How likely a percept is in a state.
+    fn likelihood(&self, state: usize, percept: &Percept) -> f64 {
+        let errs = f64::from(self.spec.noise).max(LEAST);
+        let mut likelihood = 1.0;
+        for (index, shown) in self.spec.shown.iter().enumerate() {
+            if let Shown::Value { variable, values } = *shown {
                 let has = values >> self.spec.value(state, variable) & 1 == 1;
-                percept.get(ItemId(index as u16)) == Some(!has)
+                let read = percept.get(ItemId(index as u16));
+                likelihood *= read.map_or(1.0, |on| if on == has { 1.0 - errs } else { errs });
             }
-            _ => false,
-        };
-        let items = self.spec.shown.iter().enumerate();
-        items.filter(|&it| wrong(it)).count()
+        }
+        likelihood
+    }
+
+    /// What is believed after an action and a percept.
+    fn update(&mut self, percept: &Percept) {
+        let mut belief = self.belief.clone();
+        if let Some(action) = self.last {
+            belief.fill(0.0);
+            for (state, share) in self.belief.iter().enumerate() {
+                for &(next, chance) in self.model.outcomes(state, action) {
+                    belief[next] += share * chance;
+                }
+            }
+        }
+        for (state, share) in belief.iter_mut().enumerate() {
+            *share *= self.likelihood(state, percept);
+        }
+        let total = belief.iter().fold(0.0, |sum, share| sum + share);
+        // A percept that cannot be leaves the belief as it was.
+        if total > 0.0 {
+            self.belief = belief.iter().map(|share| share / total).collect();
+        }
     }
 }
 
 impl Controller for Engineer {
     fn choose(&mut self, percept: &Percept, _: &mut Rng) -> usize {
-        // What was expected comes first among equals.
-        let far = |state: usize| {
-            let variables = 0..self.spec.sizes.len();
-            self.expected.map_or(0, |expected| {
-                let differs =
-                    |&it: &usize| self.spec.value(expected, it) != self.spec.value(state, it);
-                variables.filter(differs).count()
-            })
-        };
-        let cost = |&state: &usize| (self.disagrees(state, percept), far(state));
-        let state = (0..self.spec.states()).min_by_key(cost).unwrap_or(0);
-        let action = self.policy[state];
-        let after = || self.spec.after(state, &self.spec.effects[action]);
-        self.expected = (!self.spec.is_goal(state)).then(after);
+        self.update(percept);
+        let mut likeliest = 0;
+        for (state, &share) in self.belief.iter().enumerate() {
+            if share > self.belief[likeliest] {
+                likeliest = state;
+            }
+        }
+        let action = self.policy[likeliest];
+        self.last = Some(action);
         action
     }
 }
