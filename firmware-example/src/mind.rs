@@ -1,8 +1,9 @@
-//! The learner for any world, along the recording: it chooses at every percept, and is shown what the
-//! recorded robot did there.
+//! The learner for any world, along the recording: it chooses at every percept and learns that what
+//! was recorded came of it.
 //!
-//! So a tick does everything that a tick of a life does, and host and board can be compared to the
-//! bit without a world on the board.
+//! The recording does not listen, so nothing can be learned about the world from what is chosen; but a
+//! tick does everything that a tick of a life does, and host and board can be compared to the bit
+//! without a world on the board.
 
 use cla_core::forest::{Mind, MindConfig, MindError};
 
@@ -36,7 +37,11 @@ pub fn relive(
             print.float(choice.value);
         }
         tick(Part::Sensed);
-        mind.observe(&step.before, step.action, &step.after)?;
+        if step.reflex {
+            mind.observe(&step.before, step.action, &step.after)?;
+        } else {
+            mind.learn(&step.after)?;
+        }
         tick(Part::Learned);
     }
     Ok(print)

@@ -1,6 +1,6 @@
 //! Units of work: what makes a tick's cost a number that is known beforehand.
 //!
-//! A unit is one node passed or one item counted, some fifteen instructions on a Cortex-M4F.
+//! A unit is one node passed or one item counted, some thirty instructions on a Cortex-M4F at most.
 //! They are counted, not timed, so that the same seed does the same work on every target.
 
 /// How much work a call may still do.

@@ -171,7 +171,7 @@ impl MindConfig {
         prior: 2.0,
         felt: 0.25,
         spread: 300,
-        work: 5000,
+        work: 3000,
     };
 
     /// Whether it can work.

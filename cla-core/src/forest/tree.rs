@@ -13,6 +13,9 @@ const LEAF: u8 = u8::MAX;
 /// Branches that a descent keeps for later; beyond these it takes the likelier one only.
 const OPEN: usize = 16;
 
+/// Units that a descent takes before its first node.
+const BEGUN: u32 = 3;
+
 /// A question, or what a leaf says.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
@@ -126,7 +129,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const LEAVES: usize> Trees<ITEMS,
         Some(pair)
     }
 
-    /// What an action is worth at a moment, and how many nodes it took to say so.
+    /// What an action is worth at a moment, and the units that it took to say so.
     pub(super) fn value<const WORDS: usize>(
         &self,
         action: u8,
@@ -135,7 +138,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const LEAVES: usize> Trees<ITEMS,
         let mut node = self.node(Place::Root(action));
         let mut open = [(0_u16, 0.0_f32); OPEN];
         let mut kept = 0;
-        let (mut weight, mut sum, mut passed) = (1.0, 0.0, 0);
+        let (mut weight, mut sum, mut passed) = (1.0, 0.0, BEGUN);
         // Every node is passed at most once, so this ends.
         for _ in 0..=2 * LEAVES {
             passed += 1;

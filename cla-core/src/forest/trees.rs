@@ -15,6 +15,9 @@ use crate::word::{ItemId, ItemSet};
 /// Members that speak; one more grows.
 const MEMBERS: usize = 3;
 
+/// Units of a sample's target, without what it takes to judge the moment after it.
+const STEP: u32 = 8;
+
 /// Whether the taken action was the best one as far as anybody can tell.
 const CLOSE: f32 = 1.0e-6;
 
@@ -207,7 +210,7 @@ impl<
     /// One sample's target: its reward, and what the moment after it is worth.
     fn sweep(&mut self, horizon: Horizon) -> u32 {
         let at = self.at;
-        let mut units = 2;
+        let mut units = STEP;
         if let Some(sample) = self.memory.get(at) {
             let (reward, ends) = (sample.reward, sample.ends());
             if ends {
