@@ -103,7 +103,11 @@ fn moved(alpha: f32, coding: ResultCoding) -> ActionSomBank<1, 1, 2, 1> {
 fn a_weight_above_nine_tenths_is_on_one_below_a_tenth_is_off_and_others_say_nothing() {
     let read = |alpha, coding| {
         let bank = moved(alpha, coding);
-        harvest_node::<1, 1, 1, 2, _, _>(&bank.maps()[0], NodeId(0), coding, &HarvestConfig::BOOK)
+        let read =
+            |config| harvest_node::<1, 1, 1, 2, _, _>(&bank.maps()[0], NodeId(0), coding, config);
+        let (book, forager) = (read(&HarvestConfig::BOOK), read(&HarvestConfig::FORAGER));
+        assert_eq!(book, forager);
+        book
     };
     for coding in [ResultCoding::EndState, ResultCoding::Change] {
         // Weights of .92 and .08 (in change coding .92 and −.92).
