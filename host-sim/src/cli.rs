@@ -31,10 +31,20 @@ pub enum Command {
         #[command(flatten)]
         world: WorldArgs,
         /// Actions of training, a multiple of 1000.
-        #[arg(long, value_name = "N", default_value_t = 10_000)]
+        #[arg(
+            long,
+            value_name = "N",
+            default_value_t = 10_000,
+            allow_negative_numbers = true
+        )]
         actions: u32,
         /// Actions of a test.
-        #[arg(long, value_name = "N", default_value_t = 3_000)]
+        #[arg(
+            long,
+            value_name = "N",
+            default_value_t = 3_000,
+            allow_negative_numbers = true
+        )]
         test_actions: u32,
         /// What the brain may cost.
         #[command(flatten)]
@@ -116,10 +126,20 @@ pub enum Command {
         #[command(flatten)]
         seeds: SeedArgs,
         /// Actions of training.
-        #[arg(long, value_name = "N", default_value_t = 10_000)]
+        #[arg(
+            long,
+            value_name = "N",
+            default_value_t = 10_000,
+            allow_negative_numbers = true
+        )]
         actions: u32,
         /// Actions of the test.
-        #[arg(long, value_name = "N", default_value_t = 3_000)]
+        #[arg(
+            long,
+            value_name = "N",
+            default_value_t = 3_000,
+            allow_negative_numbers = true
+        )]
         test_actions: u32,
         /// What the brain may cost.
         #[command(flatten)]
@@ -133,16 +153,29 @@ pub enum Command {
 /// Where the files of a run go.
 #[derive(Clone, Debug, Args)]
 pub struct OutArgs {
-    /// Directory for summary.json and the figures [default: `runs/` and its name].
+    /// Directory for trials.jsonl, summary.json and the figures [default: `runs/`, the experiment and
+    /// the time; `latest` leads to it].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Replace the run that the directory holds.
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// Go on with the run that the directory holds, or with the latest; to the bit as if it had never
+    /// been interrupted.
+    #[arg(long, conflicts_with = "force")]
+    pub resume: bool,
 }
 
 /// The seeds of a run.
 #[derive(Clone, Debug, Args)]
 pub struct SeedArgs {
     /// Seeds, without the last: 100..120 are twenty; or a single one.
-    #[arg(long, value_name = "A..B", default_value = "100")]
+    #[arg(
+        long,
+        value_name = "A..B",
+        default_value = "100",
+        allow_negative_numbers = true
+    )]
     pub seeds: String,
 }
 
@@ -165,27 +198,29 @@ pub struct WorldArgs {
     #[arg(long, value_name = "NAME", default_value = "noisy")]
     pub world: String,
     /// Radius of the room, metres [noisy: 5].
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
     pub radius: Option<f64>,
     /// Specimens in a random layout [noisy: 28].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub specimens: Option<usize>,
     /// Distance of one `forward`, metres [noisy: 0.5].
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
     pub forward: Option<f64>,
     /// Probability that a blob is missed in one percept [noisy: 0.17].
-    #[arg(long, value_name = "P")]
+    #[arg(long, value_name = "P", allow_negative_numbers = true)]
     pub drop_out: Option<f64>,
     /// Standard deviation of a drive's distance, as a share of it [noisy: 0.03].
-    #[arg(long, value_name = "SHARE")]
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
     pub step_noise: Option<f64>,
     /// Standard deviation of a turn, degrees [noisy: 0.5].
-    #[arg(long, value_name = "DEGREES")]
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
     pub turn_noise: Option<f64>,
     /// Specimens that are taken are gone, instead of appearing elsewhere.
     #[arg(long)]
     pub removed: bool,
-    /// File with the places of the specimens, instead of random ones.
+    /// File with the places of the specimens, instead of random ones: the robot's heading in degrees
+    /// on a line, then a line `x y` for each, metres from the room's centre, where the robot stands;
+    /// `#` begins a comment.
     #[arg(long, value_name = "FILE")]
     pub layout: Option<PathBuf>,
 }

@@ -8,7 +8,7 @@ use host_sim::cli::Cli;
 use host_sim::failure::Failure;
 use host_sim::options::Order;
 use host_sim::progress::Progress;
-use host_sim::report::Output;
+use host_sim::report::Journal;
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
@@ -21,15 +21,27 @@ fn main() -> ExitCode {
         }
     };
     match Order::new(&cli) {
-        Ok(order) => run(&order).map_or_else(|failure| fail(&failure), |()| ExitCode::SUCCESS),
+        Ok(order) => run(&order).unwrap_or_else(|failure| fail(&failure)),
         Err(impossible) => refuse(&impossible.to_string()),
     }
 }
 
-fn run(order: &Order) -> Result<(), Failure> {
-    let output = Output::prepare(&order.out)?;
-    let mut results = order.run(&Progress::on_terminal())?;
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
+fn run(order: &Order) -> Result<ExitCode, Failure> {
+    let progress = Progress::of_program()?;
+    let (output, journal) = order.place.open()?;
+    let directory = output.directory().display();
+    let mut results = match order.run(&progress, &journal) {
+        Err(failure) if progress.stopped().is_some() => {
+            return interrupted(&progress, &format!("{failure}; {}", go_on(&directory)));
+        }
+        done => done?,
+    };
+    let arguments = std::env::args_os().skip(1);
+    let arguments = arguments.map(|it| it.display().to_string());
+    // How often a run was begun is no part of what it is.
+    let arguments: Vec<_> = arguments
+        .filter(|it| it != "--resume" && it != "--force")
+        .collect();
     results.summary.command = format!("host-sim {}", arguments.join(" "));
     let paths = results.write(&output)?;
     let mut text = results.text();
@@ -41,7 +53,28 @@ fn run(order: &Order) -> Result<(), Failure> {
         Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => {}
         written => written?,
     }
-    results.over_budget.map_or(Ok(()), |why| Err(why.into()))
+    if let Some(how_far) = results.summary.parameters.get(Journal::UNFINISHED) {
+        let how_far = how_far.as_str().unwrap_or_default();
+        let sentence = format!(
+            "interrupted: the summary is of {how_far}; {}",
+            go_on(&directory)
+        );
+        return interrupted(&progress, &sentence);
+    }
+    match results.over_budget {
+        Some(why) => Err(why.into()),
+        None => Ok(ExitCode::SUCCESS),
+    }
+}
+
+fn go_on(directory: &impl std::fmt::Display) -> String {
+    format!("the same command with --resume --out {directory} goes on")
+}
+
+/// What ends with a signal ends with its number, as shells have it.
+fn interrupted(progress: &Progress, sentence: &str) -> Result<ExitCode, Failure> {
+    eprintln!("host-sim: {sentence}");
+    Ok(ExitCode::from(128 + progress.stopped().unwrap_or_default()))
 }
 
 /// The first line of what the parser of the command line says, which is the whole of its point.

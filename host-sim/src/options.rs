@@ -3,7 +3,7 @@
 //! Whatever is impossible is an [`Impossible`]: one sentence, exit code 2, and nothing has been
 //! written or trained yet.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use cla_core::forager;
 use clap::Parser;
@@ -17,11 +17,12 @@ use crate::experiment::forage::{Forage, ForageOptions};
 use crate::experiment::hil::{Hil, HilOptions};
 use crate::experiment::mcu::{Mcu, McuOptions};
 use crate::experiment::microworld::{Chapter5, MicroworldOptions, Pursuit, PursuitOptions};
-use crate::experiment::plan::{Experiment, Plan, Planned};
+use crate::experiment::noted::{Plan, Planned};
+use crate::experiment::plan::Experiment;
 use crate::experiment::recover::{Recover, RecoverOptions};
 use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
-use crate::report::Results;
+use crate::report::{Begin, Journal, Place, Results};
 use crate::world::config::{AfterCapture, PioneerConfig};
 use crate::world::setting::{WorldOptions, read_layout};
 
@@ -33,8 +34,8 @@ const MOST_SEEDS: u64 = 100_000;
 pub struct Order {
     /// What to run.
     pub plan: Box<dyn Planned>,
-    /// The directory of its files.
-    pub out: PathBuf,
+    /// Where its files go.
+    pub place: Place,
     /// What its brain may cost; `None` where there is no brain with a budget.
     pub budget: Option<Budget>,
 }
@@ -57,9 +58,16 @@ impl Order {
         let budget = budget
             .map(|args| Budget::new(&args.budget, &args.processor))
             .transpose()?;
-        let default = || Path::new("runs").join(plan.name());
         Ok(Self {
-            out: out.out.clone().unwrap_or_else(default),
+            place: Place {
+                home: Path::new("runs").join(plan.name()),
+                asked: out.out.clone(),
+                begin: match (out.force, out.resume) {
+                    (_, true) => Begin::Resume,
+                    (true, false) => Begin::Force,
+                    (false, false) => Begin::Fresh,
+                },
+            },
             plan,
             budget,
         })
@@ -69,14 +77,14 @@ impl Order {
     ///
     /// # Errors
     /// [`Failure`] when it fails, or its brain is too large; nothing has been written.
-    pub fn run(&self, progress: &Progress) -> Result<Results, Failure> {
+    pub fn run(&self, progress: &Progress, journal: &Journal) -> Result<Results, Failure> {
         let Some(budget) = &self.budget else {
-            return self.plan.run(progress);
+            return self.plan.run(progress, journal);
         };
         // All of them run the same brain.
         let bytes = forager::pioneer::RAM;
         budget.check_ram(bytes)?;
-        Ok(budget.judge(self.plan.run(progress)?, bytes))
+        Ok(budget.judge(self.plan.run(progress, journal)?, bytes))
     }
 }
 

@@ -7,6 +7,7 @@ pub mod forage;
 pub mod hil;
 pub mod mcu;
 pub mod microworld;
+pub mod noted;
 pub mod plan;
 pub mod record;
 pub mod recover;

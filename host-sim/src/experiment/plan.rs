@@ -2,7 +2,8 @@
 //!
 //! A trial measures and says nothing of what its numbers mean; a judgement reads options and trials
 //! and runs nothing.
-//! So trials can be written down, read back (see [`record`](super::record)) and judged another day.
+//! So trials are written down as they are finished, read back (see [`record`](super::record)) and
+//! judged another day: a run that was interrupted goes on where it was.
 
 use std::fmt;
 
@@ -68,6 +69,11 @@ pub trait Experiment {
     /// The cases, in the order in which [`judge`](Self::judge) gets their trials.
     fn cases(options: &Self::Options) -> Vec<Self::Case>;
 
+    /// The options of which these are all the cases, if some cases can be judged without the others.
+    fn part(_: &Self::Options, _: &[Self::Case]) -> Option<Self::Options> {
+        None
+    }
+
     /// The work of one trial in the units of its ticker.
     fn work(_: &Self::Options) -> u64 {
         1
@@ -111,33 +117,4 @@ pub fn trials<E: Experiment>(
         .over(E::PHASE, &E::cases(options), E::work(options), job)
         .into_iter()
         .collect()
-}
-
-/// An experiment with its options, whichever it is.
-pub trait Planned: fmt::Debug {
-    /// Its name.
-    fn name(&self) -> &'static str;
-
-    /// Makes all trials and judges them.
-    ///
-    /// # Errors
-    /// As [`run`].
-    fn run(&self, progress: &Progress) -> Result<Results, Failure>;
-}
-
-/// The options of an experiment, ready to run.
-#[derive(Clone, Debug)]
-pub struct Plan<E: Experiment>(
-    /// The options.
-    pub E::Options,
-);
-
-impl<E: Experiment + fmt::Debug> Planned for Plan<E> {
-    fn name(&self) -> &'static str {
-        E::NAME
-    }
-
-    fn run(&self, progress: &Progress) -> Result<Results, Failure> {
-        run::<E>(&self.0, progress)
-    }
 }

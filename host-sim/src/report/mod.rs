@@ -7,7 +7,9 @@
 mod claims;
 pub mod figure;
 mod inference;
+mod journal;
 mod output;
+mod place;
 mod results;
 mod rule;
 mod statistics;
@@ -19,7 +21,9 @@ pub use inference::{
     LEVEL, Outcome, Printed, RESAMPLES, binomial_test, holm, median_interval, one_sample_t,
     paired_t, ratio_interval, share_interval, welch_of_printed,
 };
+pub use journal::{Begin, Journal, JournalError};
 pub use output::{Output, OutputError};
+pub use place::Place;
 pub use results::Results;
 pub use rule::{Bound, Rule, Statistic};
 pub use statistics::{

@@ -45,10 +45,17 @@ impl std::error::Error for OutputError {
     }
 }
 
+impl From<OutputError> for io::Error {
+    fn from(error: OutputError) -> Self {
+        error.source
+    }
+}
+
 impl Output {
+    /// The name of the claims file.
+    pub const SUMMARY: &'static str = "summary.json";
+
     /// Makes the directory if need be and tries to write to it.
-    ///
-    /// What an interrupted run left unfinished there is removed.
     ///
     /// # Errors
     /// [`OutputError`] when the directory cannot be made or written to.
@@ -70,13 +77,6 @@ impl Output {
             source,
         };
         fs::create_dir_all(directory).map_err(failed)?;
-        for entry in fs::read_dir(directory).map_err(failed)?.flatten() {
-            let name = entry.file_name();
-            if name.to_string_lossy().ends_with(UNFINISHED) {
-                // Another run may be renaming it this moment; then there is nothing left to remove.
-                let _ = fs::remove_file(entry.path());
-            }
-        }
         let output = Self {
             directory: directory.to_owned(),
         };
@@ -92,6 +92,17 @@ impl Output {
     #[must_use]
     pub fn directory(&self) -> &Path {
         &self.directory
+    }
+
+    /// Removes what a dead run left unfinished; for whoever is the only writer here.
+    pub(super) fn tidy(&self) {
+        let entries = fs::read_dir(&self.directory);
+        for entry in entries.into_iter().flatten().flatten() {
+            if entry.file_name().to_string_lossy().ends_with(UNFINISHED) {
+                // A leftover that cannot be removed harms nobody.
+                let _ = fs::remove_file(entry.path());
+            }
+        }
     }
 
     /// Writes a file whole, in place of one with the same name, and returns its path.
@@ -128,7 +139,7 @@ impl Output {
     /// # Errors
     /// [`OutputError`] when it cannot be written.
     pub fn write_summary(&self, summary: &Summary) -> Result<PathBuf, OutputError> {
-        self.write("summary.json", summary.to_json().as_bytes())
+        self.write(Self::SUMMARY, summary.to_json().as_bytes())
     }
 
     fn unfinished(&self, name: &str) -> PathBuf {
@@ -149,6 +160,7 @@ mod tests {
         fs::create_dir_all(&directory).unwrap();
         fs::write(directory.join(".old.png.1.unfinished"), b"half").unwrap();
         let output = Output::prepare(&directory).unwrap();
+        output.tidy();
         output.write("a.txt", b"first").unwrap();
         output.write("a.txt", b"second").unwrap();
         let names: Vec<String> = fs::read_dir(&directory)

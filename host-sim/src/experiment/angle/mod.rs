@@ -41,6 +41,14 @@ impl Experiment for Angle {
         options.seeds.clone()
     }
 
+    fn part(options: &AngleOptions, seeds: &[u64]) -> Option<AngleOptions> {
+        let seeds = seeds.to_vec();
+        Some(AngleOptions {
+            seeds,
+            ..options.clone()
+        })
+    }
+
     fn work(_: &AngleOptions) -> u64 {
         trial::NETWORKS
     }

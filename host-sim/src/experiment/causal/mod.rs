@@ -37,6 +37,14 @@ impl Experiment for Causal {
         options.seeds.clone()
     }
 
+    fn part(options: &CausalOptions, seeds: &[u64]) -> Option<CausalOptions> {
+        let seeds = seeds.to_vec();
+        Some(CausalOptions {
+            seeds,
+            ..options.clone()
+        })
+    }
+
     fn work(_: &CausalOptions) -> u64 {
         trial::NETWORKS
     }

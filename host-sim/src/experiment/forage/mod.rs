@@ -42,6 +42,14 @@ impl Experiment for Forage {
         options.seeds.clone()
     }
 
+    fn part(options: &ForageOptions, seeds: &[u64]) -> Option<ForageOptions> {
+        let seeds = seeds.to_vec();
+        Some(ForageOptions {
+            seeds,
+            ..options.clone()
+        })
+    }
+
     fn work(options: &ForageOptions) -> u64 {
         trial::work(options)
     }

@@ -34,6 +34,14 @@ impl Experiment for Hil {
         options.seeds.clone()
     }
 
+    fn part(options: &HilOptions, seeds: &[u64]) -> Option<HilOptions> {
+        let seeds = seeds.to_vec();
+        Some(HilOptions {
+            seeds,
+            ..options.clone()
+        })
+    }
+
     fn trial(options: &HilOptions, &seed: &u64, ticker: &Ticker) -> Result<Life, Failure> {
         let HilOptions {
             actions,

@@ -35,6 +35,16 @@ impl Experiment for Mcu {
         [Case::Bench].into_iter().chain(seeds).collect()
     }
 
+    /// Without the bench there is nothing to judge.
+    fn part(_: &McuOptions, cases: &[Case]) -> Option<McuOptions> {
+        let seed = |case: &Case| match case {
+            Case::Seed(seed) => Some(*seed),
+            Case::Bench => None,
+        };
+        let seeds: Vec<u64> = cases.iter().filter_map(seed).collect();
+        (cases.contains(&Case::Bench) && !seeds.is_empty()).then_some(McuOptions { seeds })
+    }
+
     fn trial(_: &McuOptions, &case: &Case, ticker: &Ticker) -> Result<Trial, Failure> {
         let trial = trial::run(case)?;
         ticker.advance(1);

@@ -48,6 +48,11 @@ impl Experiment for Chapter5 {
         options.seeds.clone()
     }
 
+    fn part(_: &MicroworldOptions, seeds: &[u64]) -> Option<MicroworldOptions> {
+        let seeds = seeds.to_vec();
+        Some(MicroworldOptions { seeds })
+    }
+
     fn work(_: &MicroworldOptions) -> u64 {
         trial::PARTS
     }

@@ -37,6 +37,14 @@ impl Experiment for Recover {
         options.seeds.clone()
     }
 
+    fn part(options: &RecoverOptions, seeds: &[u64]) -> Option<RecoverOptions> {
+        let seeds = seeds.to_vec();
+        Some(RecoverOptions {
+            seeds,
+            ..options.clone()
+        })
+    }
+
     fn work(options: &RecoverOptions) -> u64 {
         trial::work(options)
     }
