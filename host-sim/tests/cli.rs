@@ -46,8 +46,17 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
     let folder = Folder::new("impossible");
     fs::write(folder.0.join("outside.txt"), "9 9\n").expect("a layout");
     fs::write(folder.0.join("malformed.txt"), "1 one\n").expect("a layout");
+    fs::write(folder.0.join("under.txt"), "0\n0 0\n").expect("a layout");
     for arguments in [
         &["--colour"][..],
+        &["forage", "--layout", "under.txt"],
+        &["forage", "--layout", "/dev/zero"],
+        &["forage", "--actions", "4000000000"],
+        &["forage", "--test-actions", "4000000000"],
+        &["recover", "--damage", "camera:0"],
+        &["forage", "--seeds", "-1"],
+        &["forage", "--force"],
+        &["forage", "--force", "--resume", "--out", "here"],
         &["fly"],
         &["forage", "--seeds", "20..10"],
         &["forage", "--seeds", "ten"],
@@ -78,7 +87,45 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         assert!(sentence.starts_with("host-sim: "), "{sentence}");
         assert!(output.stdout.is_empty(), "{arguments:?}");
     }
-    assert_eq!(folder.names().len(), 2, "{:?}", folder.names());
+    assert_eq!(folder.names().len(), 3, "{:?}", folder.names());
+}
+
+#[test]
+fn a_negative_number_is_answered_alike_with_and_without_an_equals_sign() {
+    let folder = Folder::new("negative");
+    for (name, value) in [
+        ("--radius", "-5"),
+        ("--forward", "-0.5"),
+        ("--specimens", "-1"),
+        ("--drop-out", "-1"),
+        ("--seeds", "-1"),
+        ("--actions", "-1000"),
+    ] {
+        let apart = run(&folder.0, &["forage", name, value]);
+        let together = run(&folder.0, &["forage", &format!("{name}={value}")]);
+        assert_eq!(apart.status.code(), Some(2));
+        assert_eq!(apart.stderr, together.stderr);
+        let sentence = String::from_utf8_lossy(&apart.stderr);
+        assert!(sentence.contains(value), "{name}: {sentence}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_path_may_have_any_bytes() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new("bytes");
+    let name = std::ffi::OsStr::from_bytes(b"r\xffun");
+    let mut command = program(&folder.0, &["calibrate", "--out"]);
+    let output = command.arg(name).output().expect("the program starts");
+    let sentence = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{sentence}");
+    let summary = fs::read_to_string(folder.0.join(name).join("summary.json"));
+    let summary = host_sim::report::Summary::from_json(&summary.expect("a claims file"));
+    assert_eq!(
+        summary.expect("a summary").command,
+        "host-sim calibrate --out r\u{fffd}un"
+    );
 }
 
 #[test]

@@ -10,7 +10,7 @@ use core::fmt;
 use cla_core::num::Rng;
 use serde::Serialize;
 
-use super::body::SPECIMEN_RADIUS;
+use super::body::{BODY_LENGTH, BODY_SETBACK, BODY_WIDTH, SPECIMEN_RADIUS};
 use super::geometry::{Point, Pose};
 
 /// Distance of a specimen's centre from the wall in random layouts, metres.
@@ -19,6 +19,8 @@ pub const WALL_GAP: f64 = 0.5;
 pub const ROBOT_GAP: f64 = 0.7;
 /// Distance between two specimens' centres in random layouts, metres.
 pub const SPECIMEN_GAP: f64 = 0.3;
+/// Most specimens of a layout file.
+pub const MOST_SPECIMENS: usize = 1000;
 /// Places tried for one specimen before the room counts as too small.
 const TRIES: u32 = 10_000;
 
@@ -46,6 +48,18 @@ pub enum LayoutError {
         /// The room's radius, metres.
         radius: f64,
     },
+    /// Two specimens lie in one place.
+    Overlapping {
+        /// The line of the second, counted from 1.
+        line: usize,
+    },
+    /// A specimen lies where the robot stands.
+    UnderRobot {
+        /// The line, counted from 1.
+        line: usize,
+    },
+    /// There are more than [`MOST_SPECIMENS`].
+    TooMany,
     /// There is no specimen.
     NoSpecimens,
     /// The specimens do not fit the room.
@@ -70,6 +84,15 @@ impl fmt::Display for LayoutError {
                 f,
                 "the specimen on line {line} of the layout is outside the room of radius {radius} m"
             ),
+            Self::Overlapping { line } => write!(
+                f,
+                "the specimen on line {line} of the layout overlaps an earlier one"
+            ),
+            Self::UnderRobot { line } => write!(
+                f,
+                "the specimen on line {line} of the layout is under the robot"
+            ),
+            Self::TooMany => write!(f, "a room takes {MOST_SPECIMENS} specimens at most"),
             Self::NoSpecimens => write!(f, "a room needs at least one specimen"),
             Self::TooSmall { specimens, radius } => {
                 write!(
@@ -139,34 +162,44 @@ impl Layout {
 
     /// Reads a layout for a room of `radius` metres.
     ///
-    /// Empty lines are skipped.
+    /// Empty lines are skipped, and what follows a `#`.
     ///
     /// # Errors
     /// Any [`LayoutError`] but `TooSmall`; lines are counted from 1.
     pub fn parse(text: &str, radius: f64) -> Result<Self, LayoutError> {
+        // Editors of some systems begin a text with a mark of its byte order.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut lines = text
             .lines()
             .enumerate()
-            .map(|(index, line)| (index + 1, line))
+            .map(|(index, line)| (index + 1, line.split('#').next().unwrap_or(line)))
             .filter(|(_, line)| !line.trim().is_empty());
         let (line, first) = lines.next().ok_or(LayoutError::Malformed { line: 1 })?;
         let [heading] = numbers(first).ok_or(LayoutError::Malformed { line })?;
-        let mut specimens = Vec::new();
+        let robot = Pose::new(Point::default(), heading.to_radians());
+        let mut specimens: Vec<Point> = Vec::new();
         for (line, text) in lines {
             let [x, y] = numbers(text).ok_or(LayoutError::Malformed { line })?;
             let at = Point::new(x, y);
             if !inside(at, radius) {
                 return Err(LayoutError::Outside { line, radius });
             }
+            if touches_the_body(robot.to_local(at)) {
+                return Err(LayoutError::UnderRobot { line });
+            }
+            let overlaps = |other: &Point| at.distance(*other) < 2.0 * SPECIMEN_RADIUS;
+            if specimens.iter().any(overlaps) {
+                return Err(LayoutError::Overlapping { line });
+            }
+            if specimens.len() == MOST_SPECIMENS {
+                return Err(LayoutError::TooMany);
+            }
             specimens.push(at);
         }
         if specimens.is_empty() {
             return Err(LayoutError::NoSpecimens);
         }
-        Ok(Self {
-            robot: Pose::new(Point::default(), heading.to_radians()),
-            specimens,
-        })
+        Ok(Self { robot, specimens })
     }
 }
 
@@ -194,6 +227,14 @@ pub fn free_place(radius: f64, robot: Point, others: &[Point], rng: &mut Rng) ->
 /// False for a NaN radius.
 fn inside(at: Point, radius: f64) -> bool {
     at.distance(Point::default()) + SPECIMEN_RADIUS <= radius
+}
+
+/// Whether a specimen at `local` (robot's frame) touches the body.
+fn touches_the_body(local: Point) -> bool {
+    let beyond = |distance: f64, half: f64| (distance.abs() - half).max(0.0);
+    let dx = beyond(local.x + BODY_SETBACK, 0.5 * BODY_LENGTH);
+    let dy = beyond(local.y, 0.5 * BODY_WIDTH);
+    dx * dx + dy * dy < SPECIMEN_RADIUS * SPECIMEN_RADIUS
 }
 
 /// How much farther than the wanted gaps robot and specimens are, in metres; negative if nearer.
@@ -260,6 +301,8 @@ mod tests {
         assert!((layout.robot.heading().to_degrees() - 90.0).abs() < 1e-9);
         let places = [Point::new(1.5, -2.0), Point::new(-1.0, 0.25)];
         assert_eq!(layout.specimens, places);
+        let told = "\u{feff}# By hand.\r\n90 # degrees\r\n1.5 -2\r\n#0 0\r\n-1 0.25\r\n";
+        assert_eq!(Layout::parse(told, 3.0), Ok(layout));
     }
 
     #[test]
@@ -270,6 +313,21 @@ mod tests {
         assert_eq!(wrong("0\n1 1\n1 2 3\n"), LayoutError::Malformed { line: 3 });
         assert_eq!(wrong("0\n1 NaN\n"), LayoutError::Malformed { line: 2 });
         assert_eq!(wrong("0\n\n"), LayoutError::NoSpecimens);
+        assert_eq!(
+            wrong("0\n1 1\n2 1\n1.05 1.05\n"),
+            LayoutError::Overlapping { line: 4 }
+        );
+        assert_eq!(wrong("0\n0.1 0\n"), LayoutError::UnderRobot { line: 2 });
+        // Beside the robot's head, and under its long body when it looks that way.
+        assert!(Layout::parse("0\n0 -0.24\n", 3.0).is_ok());
+        assert_eq!(wrong("90\n0 -0.24\n"), LayoutError::UnderRobot { line: 2 });
+        let grid = |n: usize| {
+            let place = |at: usize| format!("{} {}\n", at % 40, at / 40);
+            let places: String = (1..=n).map(place).collect();
+            Layout::parse(&format!("0\n{places}"), 50.0)
+        };
+        assert_eq!(grid(1000).map(|it| it.specimens.len()), Ok(1000));
+        assert_eq!(grid(1001), Err(LayoutError::TooMany));
         let outside = wrong("0\n2.97 0\n");
         assert_eq!(
             outside.to_string(),

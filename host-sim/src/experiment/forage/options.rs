@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::experiment::record::in_words;
 use crate::failure::Impossible;
 use crate::world::config::{AfterCapture, PioneerConfig};
-use crate::world::setting::WorldOptions;
+use crate::world::setting::{MOST_ACTIONS, WorldOptions};
 
 /// Actions of training between two tests (book, 6.2.4).
 pub const SNAPSHOT: u32 = 1000;
@@ -53,6 +53,12 @@ impl ForageOptions {
         actions: u32,
         test_actions: u32,
     ) -> Result<Self, Impossible> {
+        for (name, number) in [("--actions", actions), ("--test-actions", test_actions)] {
+            if number > MOST_ACTIONS {
+                let sentence = format!("{name} must be at most {MOST_ACTIONS}, not {number}");
+                return Err(Impossible::new(sentence));
+            }
+        }
         if actions == 0 || !actions.is_multiple_of(SNAPSHOT) {
             return Err(Impossible::new(
                 "--actions must be a multiple of 1000, at least 1000",

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::failure::Impossible;
+use crate::world::setting::MOST_ACTIONS;
 
 /// Its seeds and lengths.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -25,6 +26,10 @@ impl HilOptions {
             return Err(Impossible::new(
                 "--actions and --test-actions must be at least 1",
             ));
+        }
+        if actions.max(test_actions) > MOST_ACTIONS {
+            let sentence = format!("--actions and --test-actions must be at most {MOST_ACTIONS}");
+            return Err(Impossible::new(sentence));
         }
         Ok(Self {
             seeds,

@@ -9,6 +9,9 @@ use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::{ACTIONS, ITEMS};
 use crate::world::setting::WorldOptions;
 
+/// Most damages of one run.
+const MOST_DAMAGES: usize = 100;
+
 /// What is varied.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RecoverOptions {
@@ -48,6 +51,10 @@ impl RecoverOptions {
                 let damage = Damage::parse(text, &ITEMS, &ACTIONS);
                 read.push(damage.map_err(|error| Impossible::new(format!("--damage: {error}")))?);
             }
+        }
+        if read.len() > MOST_DAMAGES {
+            let sentence = format!("--damage may be given {MOST_DAMAGES} times at most");
+            return Err(Impossible::new(sentence));
         }
         for &seed in &seeds {
             world.build(seed)?;

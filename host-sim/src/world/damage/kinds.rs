@@ -95,7 +95,7 @@ impl Damage {
     /// Reads a damage for a world with these items and actions.
     ///
     /// # Errors
-    /// [`DamageError`] names the kind, the part or the number that does not exist.
+    /// [`DamageError`] names the kind, the part or the number that does not exist, or changes nothing.
     pub fn parse(
         text: &str,
         items: &'static [&'static str],
@@ -116,12 +116,17 @@ impl Damage {
         };
         let number = |least: f64, most: f64| {
             let value = what.parse::<f64>().ok();
-            value
+            let value = value
                 .filter(|value| (least..=most).contains(value))
                 .ok_or_else(|| {
                     let range = format!("a number from {least} to {most}");
                     DamageError(format!("{kind} takes {range}, not {what:?}"))
-                })
+                })?;
+            if value == 0.0 {
+                let sentence = format!("{text} is no damage: say none for a life without one");
+                return Err(DamageError(sentence));
+            }
+            Ok(value)
         };
         let nothing_else = |damage| {
             if text == kind {
@@ -249,6 +254,11 @@ mod tests {
             ("swap:forward,s2", "no action"),
             ("slip:-0.1", "from 0 to 1"),
             ("slip:inf", "from 0 to 1"),
+            ("camera:0", "say none"),
+            ("camera:-0.0", "say none"),
+            ("shift:0", "say none"),
+            ("pull:0", "say none"),
+            ("slip:0", "say none"),
             ("beam:blocked", "alone"),
             ("none:1", "alone"),
         ] {
