@@ -1,6 +1,6 @@
 //! Runs that are killed, meet each other or a full disk, and lose nothing.
 //!
-//! `KILLS=100 cargo test -p host-sim --test runs` kills a hundred times.
+//! `tests/run kills` kills a hundred times.
 
 #![cfg(unix)]
 
