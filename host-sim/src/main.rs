@@ -8,7 +8,7 @@ use host_sim::cli::Cli;
 use host_sim::failure::Failure;
 use host_sim::options::Order;
 use host_sim::progress::Progress;
-use host_sim::report::Journal;
+use host_sim::report::{Circumstances, Journal};
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
@@ -27,6 +27,7 @@ fn main() -> ExitCode {
 }
 
 fn run(order: &Order) -> Result<ExitCode, Failure> {
+    let circumstances = Circumstances::begin();
     let progress = Progress::of_program()?;
     let (output, journal) = order.place.open()?;
     let directory = output.directory().display();
@@ -43,6 +44,8 @@ fn run(order: &Order) -> Result<ExitCode, Failure> {
         .filter(|it| it != "--resume" && it != "--force")
         .collect();
     results.summary.command = format!("host-sim {}", arguments.join(" "));
+    let circumstances = circumstances.to_json(&results.summary.command);
+    output.write(Circumstances::NAME, circumstances.as_bytes())?;
     let paths = results.write(&output)?;
     let mut text = results.text();
     paths

@@ -189,6 +189,11 @@ fn calibrate_writes_its_claims_and_pictures_and_shows_them() {
     for name in ["actions.svg", "actions.png", "p-s3.svg", "p-s3.png"] {
         assert!(here.join(name).is_file(), "{name}");
     }
+    let about = fs::read_to_string(here.join("run.json")).expect("it is told how it was made");
+    let about: serde_json::Value = serde_json::from_str(&about).expect("JSON");
+    assert_eq!(about["command"], summary.command);
+    assert_eq!(about["host"]["architecture"], std::env::consts::ARCH);
+    assert!(about["seconds"].as_f64().is_some_and(|it| it > 0.0));
     // Without a terminal there is no progress bar.
     assert!(output.stderr.is_empty());
 }

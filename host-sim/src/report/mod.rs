@@ -4,6 +4,7 @@
 //! is made from it, so that the terminal, the figures and the JSON cannot disagree.
 //! The module knows nothing of worlds or brains.
 
+mod circumstances;
 mod claims;
 pub mod figure;
 mod inference;
@@ -16,6 +17,7 @@ mod statistics;
 mod summary;
 mod table;
 
+pub use circumstances::Circumstances;
 pub use claims::{Book, Claim, Expectation, Ours, Verdict};
 pub use inference::{
     LEVEL, Outcome, Printed, RESAMPLES, binomial_test, holm, median_interval, one_sample_t,

@@ -72,9 +72,8 @@ impl Place {
     /// A new directory with a name that nobody else has, and the link to it.
     fn by_time(&self) -> io::Result<PathBuf> {
         fs::create_dir_all(&self.home)?;
-        let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         // Colons are no part of a name on some systems.
-        let now = now.replace(':', "-");
+        let now = now().replace(':', "-");
         let mut name = now.clone();
         let mut more = 1_u32;
         let directory = loop {
@@ -105,4 +104,9 @@ impl Place {
     fn link(&self, _: &str) -> io::Result<()> {
         Ok(())
     }
+}
+
+/// The time, to the second, in UTC.
+pub(super) fn now() -> String {
+    humantime::format_rfc3339_seconds(SystemTime::now()).to_string()
 }
