@@ -130,8 +130,14 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
         }
         add(&mut worth, self.rows.get(usize::from(scene.row)));
         let horizon = 1.0 / (1.0 - discount);
+        let (least, most) = (self.least * horizon, self.most * horizon);
         for value in &mut worth {
-            *value = value.clamp(self.least * horizon, self.most * horizon);
+            // Not `clamp`, which panics where the bounds are the wrong way round.
+            if *value < least {
+                *value = least;
+            } else if *value > most {
+                *value = most;
+            }
         }
         worth
     }

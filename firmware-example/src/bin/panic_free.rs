@@ -17,6 +17,7 @@ use cla_core::check::{Config, ConfigError};
 use cla_core::choice::*;
 use cla_core::forager::pioneer::{Action, Brain, Percept, be_born};
 use cla_core::forager::small;
+use cla_core::forest::{self, Actions, Deliberation, MindConfig, MindError, Taught};
 use cla_core::growth::*;
 use cla_core::knowledge::*;
 use cla_core::layer::overload::{
@@ -93,6 +94,7 @@ type Dense = DenseSom<6, 6, 4>;
 type Near<const N: usize> = Neighbourhood<N, N>;
 type Tables = KnowledgeBase<1, 128, 1024>;
 type Mind = Accommodation<3, 32, 200, 10>;
+type Forest = forest::Mind<1, 7, 6, 448, 200, 512, 512, 2048>;
 type Plans = Planner<3, 76, 100>;
 type Items3 = ItemSet<3>;
 type Reified = SyntheticItems<3, 16>;
@@ -465,5 +467,36 @@ entries! {
         it.learn(tables, before, action, after, values, learning);
         it.follow(tables);
         it.losses()
+    }
+    "forest_begin" (
+        it: &mut Forest, config: MindConfig, values: [f32; 7], seed: u64,
+    ) -> Result<(), MindError> {
+        it.begin(config, values, seed)?;
+        it.act()
+    }
+    "forest_choose" (
+        it: &mut Forest, now: &ItemStates<1>, allowed: Actions,
+    ) -> Result<Deliberation, MindError> {
+        it.choose(now)?;
+        it.choose_among(now, allowed)
+    }
+    "forest_learn" (it: &mut Forest, now: &ItemStates<1>, reward: f32) -> Result<Taught, MindError> {
+        it.learn(now)?;
+        it.learn_with(now, reward)
+    }
+    "forest_observe" (
+        it: &mut Forest, before: &ItemStates<1>, action: ActionId, after: &ItemStates<1>,
+    ) -> Result<Taught, MindError> {
+        it.interrupt()?;
+        it.observe(before, action, after)
+    }
+    "forest_idle" (it: &mut Forest, units: u32) -> bool { it.idle(units) && it.pending() }
+    "forest_inspect" (
+        it: &Forest, item: ItemId, action: ActionId, voice: forest::Voice,
+    ) -> (f32, u16, u32) {
+        let mut nodes = 0;
+        it.contexts(action, |path, _| nodes += path.len() as u32);
+        let (share, blocks) = it.record(voice);
+        (it.relevance(item) + share, it.stuck() ^ blocks, it.size().2 ^ nodes)
     }
 }
