@@ -98,7 +98,7 @@ pub mod message {
 ///         maps: 20 x 20,
 ///         patterns: 16,
 ///         schemas: 16,
-///         ram: 1_000, // the brain takes 19_592 bytes, and `ram` allows 1_000
+///         ram: 1_000, // the error says how many bytes it takes
 ///     }
 /// }
 /// ```

@@ -106,13 +106,13 @@ impl Alarm {
         self.missing = if sum > 0.0 { sum } else { 0.0 };
         let alarmed = self.missing > config.missing;
         if alarmed {
-            self.alarm(config);
+            self.ring(config);
         }
         alarmed
     }
 
     /// Begins a doubt.
-    pub(crate) fn alarm(&mut self, config: &SurpriseConfig) {
+    pub(crate) fn ring(&mut self, config: &SurpriseConfig) {
         self.missing = 0.0;
         self.doubt = config.doubt;
         self.alarms = self.alarms.saturating_add(1);
@@ -187,7 +187,7 @@ mod tests {
     fn a_doubt_lasts_its_actions_sounds_no_alarm_and_weighs_every_twenty_five() {
         let mut it = usual(2000);
         assert!(!it.doubts() && !it.weighs());
-        it.alarm(&CONFIG);
+        it.ring(&CONFIG);
         let mut weighed = std::vec::Vec::new();
         for action in 0..100 {
             assert!(it.doubts(), "{action}");
@@ -201,7 +201,7 @@ mod tests {
         assert_eq!(it.alarms(), 1);
         // What stayed away in the doubt is forgiven.
         assert!(patience(usual(2000)) < 60 && !it.feel(&CONFIG, false));
-        it.alarm(&CONFIG);
+        it.ring(&CONFIG);
         it.end();
         assert!(!it.doubts());
         assert_eq!(it.alarms(), 2);

@@ -6,11 +6,13 @@
 //! All memory is inside the value, all of it zero at first: a static agent costs no flash.
 
 use super::config::{Adaptation, AgentConfig, Settings, check_values};
-use super::step::{AgentError, Choice, Lesson, Reason};
-use crate::adaptation::Alarm;
-use crate::check::{Checked, Config, ConfigError};
-use crate::choice::{ChoiceRule, Habits, ValueConfig};
-use crate::knowledge::{KnowledgeBase, SchemaId, SyntheticId};
+use super::exploring::Exploration;
+use super::faculties::Faculties;
+use super::step::{AgentError, Choice, Lesson, Reason, Transition};
+use crate::adaptation::SurpriseConfig;
+use crate::check::{Config, ConfigError};
+use crate::choice::Habits;
+use crate::knowledge::{KnowledgeBase, SyntheticId};
 use crate::level2::SecondLevel;
 use crate::map::{ActionSomBank, Sample};
 use crate::num::Rng;
@@ -67,27 +69,17 @@ pub struct Agent<
     M = BinarySom<WIDTH, HEIGHT, ITEMS>,
 > {
     bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>,
-    pub(crate) knowledge: KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
-    pub(crate) level2: SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>,
-    pub(crate) habits: Habits<WORDS, ITEMS, ACTIONS, SYNTHETIC>,
-    /// The item of the schema that has succeeded last, and the state that it led to.
-    trace: Option<SyntheticId>,
-    arrived: ItemStates<WORDS>,
-    pub(crate) config: Settings,
-    pub(crate) rng: Rng,
-    pub(crate) stage: Stage,
+    faculties: Faculties<WORDS, ITEMS, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>,
+    exploration: Exploration,
+    config: Settings,
+    rng: Rng,
+    stage: Stage,
+    /// What was so when an action was chosen that waits for its result.
     context: ItemStates<WORDS>,
     chosen: Option<ActionId>,
     /// The trace at that choice: what is observed before its result comes may change it.
     decided_after: Option<SyntheticId>,
     since_harvest: u32,
-    pub(crate) since_reward: u16,
-    pub(crate) burst: u16,
-    pub(crate) run: u16,
-    pub(crate) exploring: bool,
-    pub(crate) alarm: Alarm,
-    /// Values of habits that have moved in this step.
-    practised: u32,
 }
 
 impl<
@@ -134,11 +126,8 @@ impl<
         }
         Self {
             bank: ActionSomBank::zeroed(),
-            knowledge: KnowledgeBase::new(),
-            level2: SecondLevel::new(),
-            habits: Habits::new(),
-            trace: None,
-            arrived: ItemStates::UNKNOWN,
+            faculties: Faculties::new(),
+            exploration: Exploration::NONE,
             config: Settings::Absent,
             rng: Rng::UNSEEDED,
             stage: Stage::Unborn,
@@ -146,12 +135,6 @@ impl<
             chosen: None,
             decided_after: None,
             since_harvest: 0,
-            since_reward: 0,
-            burst: 0,
-            run: 0,
-            exploring: false,
-            alarm: Alarm::NONE,
-            practised: 0,
         }
     }
 
@@ -171,21 +154,14 @@ impl<
     ) -> Result<(), ConfigError> {
         let config = config.checked()?;
         check_values(values, ITEMS)?;
-        self.knowledge.set_inherent_values(values);
         self.config = Settings::Present(config);
         self.rng = Rng::stream(seed, 1);
         self.bank.randomize(&mut self.rng);
-        self.knowledge.forget_schemas();
-        self.level2.clear();
-        self.habits.clear();
-        self.trace = None;
+        self.faculties.be_born(values);
+        self.exploration = Exploration::NONE;
         self.stage = Stage::Training;
         self.chosen = None;
         self.since_harvest = 0;
-        self.since_reward = 0;
-        self.burst = 0;
-        self.run = 0;
-        self.alarm = Alarm::NONE;
         self.begin_step();
         Ok(())
     }
@@ -201,16 +177,24 @@ impl<
     // stacks would add up.
     #[inline(never)]
     pub fn choose(&mut self, now: &ItemStates<WORDS>) -> Result<Choice, AgentError> {
-        if self.stage == Stage::Unborn {
-            return Err(AgentError::NotBorn);
-        }
+        self.born()?;
         self.begin_step();
-        let choice = if self.stage == Stage::Training && self.explores() {
-            self.random(Reason::Exploration)
-        } else if self.escapes() {
-            self.random(Reason::Escape)
+        let Self {
+            config: Settings::Present(config),
+            exploration,
+            rng,
+            faculties,
+            ..
+        } = self
+        else {
+            return Err(AgentError::NotBorn);
+        };
+        let choice = if self.stage == Stage::Training && exploration.explores(config, rng) {
+            random::<ACTIONS>(rng, Reason::Exploration)
+        } else if exploration.escapes(config.escape.as_ref()) {
+            random::<ACTIONS>(rng, Reason::Escape)
         } else {
-            match self.prefer(now) {
+            match faculties.prefer(config, now) {
                 Some((level, preference)) => Choice {
                     action: preference.action,
                     reason: Reason::Value,
@@ -218,11 +202,11 @@ impl<
                     schema: preference.schema,
                     value: preference.value,
                 },
-                None => self.random(Reason::NothingApplies),
+                None => random::<ACTIONS>(rng, Reason::NothingApplies),
             }
         };
         self.context = *now;
-        self.decided_after = self.trace_in(now);
+        self.decided_after = self.faculties.trail.item_in(now);
         self.chosen = Some(choice.action);
         Ok(choice)
     }
@@ -245,20 +229,25 @@ impl<
     /// [`AgentError::NotBorn`] or [`AgentError::NothingChosen`].
     #[inline(never)]
     pub fn learn(&mut self, now: &ItemStates<WORDS>) -> Result<Lesson, AgentError> {
-        if self.stage == Stage::Unborn {
-            return Err(AgentError::NotBorn);
-        }
+        self.born()?;
         let action = self.chosen.ok_or(AgentError::NothingChosen)?;
-        let before = self.context;
-        self.practise(&before, action, now);
-        let lesson = self.take_in(&before, action, now)?;
+        let context = self.context;
+        let step = self.transition(&context, action, now);
+        if let Settings::Present(config) = &self.config
+            && self.stage != Stage::Acting(Adaptation::Frozen)
+        {
+            self.faculties.practise(config, &step, self.decided_after);
+        }
+        let lesson = self.take_in(&step)?;
         self.chosen = None;
-        self.feel(lesson.reward > 0.0);
-        self.since_reward = if lesson.reward > 0.0 {
-            0
-        } else {
-            self.since_reward.saturating_add(1)
-        };
+        let rewarded = step.reward > 0.0;
+        let relearns = self.relearns();
+        if let Settings::Present(config) = &self.config
+            && let Some(surprise) = config.surprise.as_ref().filter(|_| relearns)
+        {
+            self.faculties.feel(config, surprise, rewarded);
+        }
+        self.exploration.count(rewarded);
         Ok(lesson)
     }
 
@@ -275,94 +264,72 @@ impl<
         action: ActionId,
         after: &ItemStates<WORDS>,
     ) -> Result<Lesson, AgentError> {
-        let lesson = self.take_in(before, action, after)?;
+        self.born()?;
+        if usize::from(action.0) >= ACTIONS {
+            return Err(AgentError::NoSuchAction(action));
+        }
+        let step = self.transition(before, action, after);
+        let lesson = self.take_in(&step)?;
         if self.stage != Stage::Acting(Adaptation::Frozen) {
-            self.habits.add(lesson.reward);
+            self.faculties.habits.add(step.reward);
         }
         Ok(lesson)
     }
 
-    #[inline(never)]
-    fn take_in(
-        &mut self,
+    /// What an action has led to, and what that is worth.
+    fn transition(
+        &self,
         before: &ItemStates<WORDS>,
         action: ActionId,
         after: &ItemStates<WORDS>,
-    ) -> Result<Lesson, AgentError> {
-        let Settings::Present(Checked(AgentConfig {
-            coding,
-            harvest_every,
-            forgetting,
-            ..
-        })) = self.config
-        else {
-            return Err(AgentError::NotBorn);
-        };
-        if self.stage == Stage::Unborn {
-            return Err(AgentError::NotBorn);
+    ) -> Transition<WORDS> {
+        Transition {
+            before: *before,
+            action,
+            after: *after,
+            reward: self.faculties.knowledge.reward(after),
         }
-        if usize::from(action.0) >= ACTIONS {
-            return Err(AgentError::NoSuchAction(action));
-        }
+    }
+
+    /// The pipeline: a transition is recorded, followed to level 2, shown to its map, and a few
+    /// values move.
+    #[inline(never)]
+    fn take_in(&mut self, step: &Transition<WORDS>) -> Result<Lesson, AgentError> {
         // What is observed while a choice waits for its result belongs to that step.
         if self.chosen.is_none() {
             self.begin_step();
         }
+        let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
+        let relearns = self.relearns();
+        let Settings::Present(config) = &self.config else {
+            return Err(AgentError::NotBorn);
+        };
+        let relearns = relearns && config.surprise.is_some();
         let mut lesson = Lesson {
-            reward: self.knowledge.reward(after),
+            reward: step.reward,
+            outcome: self.faculties.record(config, step, relearns, frozen),
             ..Lesson::default()
         };
-        let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
-        if self.suspects().is_some() && self.alarm.doubts() {
-            self.knowledge.count_hits(before, action, after);
-        }
-        lesson.outcome = if frozen {
-            self.knowledge.explain(before, action, after)
-        } else {
-            self.knowledge.record(before, action, after, forgetting)
-        };
-        self.follow_trace(before, action, after, lesson.outcome.schema);
+        self.faculties
+            .follow(config, step, lesson.outcome.schema, frozen);
         if frozen {
             return Ok(lesson);
         }
         // A map would count a win for what nobody saw.
-        let blind = before.known().is_empty() && after.known().is_empty();
+        let blind = step.before.known().is_empty() && step.after.known().is_empty();
         if self.stage != Stage::Acting(Adaptation::Reliabilities) && !blind {
-            let sample = Sample::new(before, after, coding, ITEMS as u16);
-            if let Settings::Present(config) = &self.config {
-                lesson.trained = self.bank.train(action, &sample, &config.training);
-            }
+            let sample = Sample::new(&step.before, &step.after, config.coding, ITEMS as u16);
+            lesson.trained = self.bank.train(step.action, &sample, &config.training);
             self.since_harvest += 1;
-            if self.since_harvest >= harvest_every {
-                self.harvest();
-                lesson.harvested = true;
-            }
+            lesson.harvested = self.since_harvest >= config.harvest_every;
         }
-        self.improve_values();
+        if lesson.harvested {
+            self.harvest();
+        }
+        if let Settings::Present(config) = &self.config {
+            self.faculties.improve_values(config);
+        }
         Ok(lesson)
-    }
-
-    /// Brings some values of both levels up to date.
-    #[inline(never)]
-    fn improve_values(&mut self) {
-        let Self {
-            config: Settings::Present(config),
-            level2: level,
-            knowledge,
-            trace,
-            ..
-        } = self
-        else {
-            return;
-        };
-        let values = &config.values;
-        knowledge.improve_values::<ACTIONS>(config.values_per_step, values);
-        if let Some(level2) = &config.level2 {
-            if let Some(trace) = *trace {
-                level.improve(knowledge, trace, values, level2);
-            }
-            level.improve_values(knowledge, level2.values_per_step, values, level2);
-        }
     }
 
     /// Reads the maps into schemas now; the book's rule also gets its values of items.
@@ -375,17 +342,7 @@ impl<
         if self.stage == Stage::Unborn {
             return;
         }
-        self.knowledge
-            .harvest(self.bank.maps(), config.coding, &config.harvest);
-        if config.rule == ChoiceRule::Lexicographic {
-            self.knowledge.defer_values(&config.values);
-        }
-        if self.alarm.doubts() {
-            self.knowledge.doubt_new();
-        }
-        self.level2.follow(&self.knowledge);
-        let trace = self.trace;
-        self.trace = trace.filter(|&trace| self.level2.schema(trace).is_some());
+        self.faculties.harvest(config, self.bank.maps());
         self.since_harvest = 0;
     }
 
@@ -397,35 +354,16 @@ impl<
     /// [`AgentError::NotBorn`].
     #[inline(never)]
     pub fn act(&mut self, adaptation: Adaptation) -> Result<(), AgentError> {
-        let Settings::Present(Checked(AgentConfig {
-            rule,
-            values,
-            level2,
-            ..
-        })) = self.config
-        else {
-            return Err(AgentError::NotBorn);
-        };
-        if self.stage == Stage::Unborn {
-            return Err(AgentError::NotBorn);
-        }
+        self.born()?;
         if self.stage == Stage::Training {
             self.harvest();
         }
-        if rule == ChoiceRule::ExpectedValue {
-            self.knowledge.settle_values::<ACTIONS>(100, &values);
-            if let Some(level2) = &level2 {
-                let items = self.level2.table.rows.len() as u16;
-                for _ in 0..30 {
-                    self.level2
-                        .improve_values(&mut self.knowledge, items, &values, level2);
-                }
-            }
+        if let Settings::Present(config) = &self.config {
+            self.faculties.settle(config);
         }
         self.stage = Stage::Acting(adaptation);
-        self.habits.pause();
-        self.since_reward = 0;
-        self.burst = 0;
+        self.faculties.habits.pause();
+        self.exploration.pause();
         self.settle_doubt();
         // What comes once is no part of a step.
         self.begin_step();
@@ -450,18 +388,38 @@ impl<
     /// ```
     #[must_use]
     pub fn cost(&self) -> Cost {
-        let mut cost = self.knowledge.cost;
+        let mut cost = self.faculties.cost();
         cost.add(&self.bank.cost());
-        cost.add(&self.level2.table.cost);
-        cost.habits = self.practised;
         cost
     }
 
     fn begin_step(&mut self) {
-        self.knowledge.cost = Cost::NONE;
-        self.level2.table.cost = Cost::NONE;
+        self.faculties.forget_cost();
         self.bank.forget_cost();
-        self.practised = 0;
+    }
+
+    /// Who is not born yet can do nothing.
+    fn born(&self) -> Result<(), AgentError> {
+        if self.stage == Stage::Unborn {
+            return Err(AgentError::NotBorn);
+        }
+        Ok(())
+    }
+
+    /// Whether something can be learned from an alarm.
+    fn relearns(&self) -> bool {
+        self.stage == Stage::Acting(Adaptation::Relearning)
+    }
+
+    /// Ends a doubt that nothing can be learned from any more: acting or the configuration changed.
+    fn settle_doubt(&mut self) {
+        let suspects = match &self.config {
+            Settings::Present(config) => config.surprise.is_some() && self.relearns(),
+            Settings::Absent => false,
+        };
+        if !suspects {
+            self.faculties.end_doubt();
+        }
     }
 
     /// Goes on with another configuration; what has been learned stays.
@@ -474,42 +432,80 @@ impl<
     pub fn reconfigure(&mut self, config: AgentConfig) -> Result<(), ConfigError> {
         self.config = Settings::Present(config.checked()?);
         if config.level2.is_none() {
-            self.trace = None;
+            self.faculties.trail.leave();
         }
         if config.habits.is_none() {
-            self.habits.pause();
+            self.faculties.habits.pause();
         }
         self.settle_doubt();
         Ok(())
     }
 
+    /// Gives the agent another sense of surprise, or none, from now on; what it knows stays.
+    ///
+    /// # Errors
+    /// [`ConfigError`]; nothing has changed.
+    pub fn set_surprise(&mut self, surprise: Option<SurpriseConfig>) -> Result<(), ConfigError> {
+        if let Settings::Present(config) = self.config {
+            self.reconfigure(AgentConfig {
+                surprise,
+                ..*config
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Doubts what it knows from now on, as after an alarm.
+    ///
+    /// Nothing happens unless it acts, re-learns and can be surprised.
+    pub fn doubt(&mut self) {
+        let relearns = self.relearns();
+        if let Settings::Present(config) = &self.config
+            && let Some(surprise) = config.surprise.as_ref().filter(|_| relearns)
+        {
+            self.faculties.doubt(surprise);
+        }
+    }
+
+    /// Alarms so far.
+    #[must_use]
+    pub const fn alarms(&self) -> u32 {
+        self.faculties.alarm.alarms()
+    }
+
+    /// Whether the agent doubts what it knows: it was alarmed a short time ago.
+    #[must_use]
+    pub const fn doubts(&self) -> bool {
+        self.faculties.alarm.doubts()
+    }
+
     /// The second level.
     #[must_use]
     pub const fn second_level(&self) -> &SecondLevel<ACTIONS, SYNTHETIC, BELIEFS> {
-        &self.level2
+        &self.faculties.level2
     }
 
     /// What experience says of the actions, beside the schemas.
     #[must_use]
     pub const fn habits(&self) -> &Habits<WORDS, ITEMS, ACTIONS, SYNTHETIC> {
-        &self.habits
+        &self.faculties.habits
     }
 
     /// The synthetic item of the schema that has just succeeded.
     #[must_use]
     pub const fn trace(&self) -> Option<SyntheticId> {
-        self.trace
+        self.faculties.trail.item()
     }
 
     /// What the agent knows.
     #[must_use]
     pub const fn knowledge(&self) -> &KnowledgeBase<WORDS, PATTERNS, SCHEMAS> {
-        &self.knowledge
+        &self.faculties.knowledge
     }
 
     /// What the agent knows, to give inherent values or to insert schemas by hand.
     pub const fn knowledge_mut(&mut self) -> &mut KnowledgeBase<WORDS, PATTERNS, SCHEMAS> {
-        &mut self.knowledge
+        &mut self.faculties.knowledge
     }
 
     /// The maps.
@@ -523,84 +519,16 @@ impl<
     pub const fn stage(&self) -> Stage {
         self.stage
     }
+}
 
-    /// Feels what an action of its own has brought.
-    #[inline(never)]
-    fn practise(
-        &mut self,
-        before: &ItemStates<WORDS>,
-        action: ActionId,
-        after: &ItemStates<WORDS>,
-    ) {
-        let Settings::Present(Checked(AgentConfig {
-            habits: Some(habits),
-            ..
-        })) = self.config
-        else {
-            return;
-        };
-        if self.stage == Stage::Acting(Adaptation::Frozen) {
-            return;
-        }
-        let rate = if self.alarm.doubts() {
-            habits.doubting_rate
-        } else {
-            habits.learning_rate
-        };
-        let deed = (*before.on(), self.decided_after, action);
-        let reward = self.knowledge.reward(after);
-        self.practised = self.habits.feel(deed, reward, rate, &habits);
-    }
-
-    /// The trace, if the robot is still where its schema has led.
-    pub(crate) fn trace_in(&self, state: &ItemStates<WORDS>) -> Option<SyntheticId> {
-        self.trace.filter(|_| self.arrived == *state)
-    }
-
-    #[inline(never)]
-    fn follow_trace(
-        &mut self,
-        before: &ItemStates<WORDS>,
-        action: ActionId,
-        after: &ItemStates<WORDS>,
-        succeeded: Option<SchemaId>,
-    ) {
-        let Settings::Present(Checked(AgentConfig {
-            level2: Some(level2),
-            values: ValueConfig { discount, .. },
-            ..
-        })) = self.config
-        else {
-            return;
-        };
-        let frozen = self.stage == Stage::Acting(Adaptation::Frozen);
-        let trace = self.trace_in(before);
-        let meant = trace.and_then(|trace| self.level2.schema(trace));
-        let item = succeeded.and_then(|schema| {
-            let known = self.level2.item_of(&self.knowledge, schema);
-            if known.is_some() || frozen {
-                return known;
-            }
-            let item = self.level2.reify(&mut self.knowledge, schema)?;
-            self.habits.renew(item);
-            Some(item)
-        });
-        // A new item may have taken the row of the trace.
-        let trace = trace.filter(|&trace| self.level2.schema(trace) == meant);
-        if let (Some(trace), false) = (trace, frozen) {
-            self.level2.judge(trace, action, item);
-        }
-        if let (Some(trace), Some(to), false) = (trace, item, frozen) {
-            let reward = self.knowledge.reward(after);
-            self.level2.experience(trace, to, reward, discount, &level2);
-            let table = &mut self.level2.table;
-            table.record(trace, action, item, level2.forgetting);
-        }
-        if let (Some(item), false) = (item, frozen) {
-            self.level2.table.meet(item);
-        }
-        self.trace = item;
-        self.arrived = *after;
+/// An action by chance.
+fn random<const ACTIONS: usize>(rng: &mut Rng, reason: Reason) -> Choice {
+    Choice {
+        action: ActionId(rng.below(ACTIONS as u32) as u16),
+        reason,
+        level: None,
+        schema: None,
+        value: 0.0,
     }
 }
 

@@ -4,7 +4,17 @@ use core::fmt;
 
 use crate::knowledge::{Outcome, SchemaId};
 use crate::map::Trained;
-use crate::word::ActionId;
+use crate::word::{ActionId, ItemStates};
+
+/// A completed action: made once for each, and handed from part to part.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Transition<const WORDS: usize> {
+    pub(super) before: ItemStates<WORDS>,
+    pub(super) action: ActionId,
+    pub(super) after: ItemStates<WORDS>,
+    /// The inherent value of what is on afterwards.
+    pub(super) reward: f32,
+}
 
 /// Why an action was chosen.
 ///

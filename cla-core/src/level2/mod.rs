@@ -7,9 +7,11 @@
 //! from maps, and stands beside an agent whose own second level is off.
 
 mod belief;
+mod config;
 mod maps;
 mod second_level;
 
 pub use belief::{Belief, BeliefLosses};
+pub use config::{Fallback, Level2Config};
 pub use maps::{Learning, Reading, SomLevel, SomLevelConfig, SomLevelLosses};
-pub use second_level::{Fallback, Level2Config, SecondLevel};
+pub use second_level::SecondLevel;

@@ -7,88 +7,12 @@
 //! and half what has really followed it.
 
 use super::belief::{Belief, BeliefLosses, BeliefTable, Row, uses};
-use crate::check::{Config, ConfigError, Range};
+use super::config::Level2Config;
 use crate::choice::{Appraisal, Preference, ValueConfig, Voice, most_worth, state_of};
 use crate::knowledge::{
     KnowledgeBase, Others, PatternId, Reliability, Schema, SchemaId, SyntheticId,
 };
-use crate::word::{ActionId, ItemStates};
-
-/// How the second level learns.
-///
-/// ```
-/// use cla_core::level2::Level2Config;
-/// assert_eq!(Level2Config::FORAGER.prior, 2.0);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Level2Config {
-    /// κ: how many verified occasions the reliability of level 1 counts for; above 0.
-    pub prior: f32,
-    /// Share of a state's value that comes from the rewards that really followed it, in `[0, 1]`;
-    /// the rest is what the beliefs promise.
-    ///
-    /// Beliefs that remember one schema still mistake some states for others, and a plan may
-    /// exploit the mistake; experience does not.
-    pub experience: f32,
-    /// λ: how far back a reward is felt, in `[0, 1]`.
-    pub lambda: f32,
-    /// The least weight of a new reward, in `[0, 1]`.
-    pub learning_rate: f32,
-    /// The least weight of a new occasion, in `[0, 1)`: about 1 / `forgetting` of them count;
-    /// 0 never forgets.
-    pub forgetting: f32,
-    /// Synthetic items whose value is brought up to date at every step.
-    pub values_per_step: u16,
-    /// When level 1 decides although level 2 has something to say.
-    pub fallback: Fallback,
-}
-
-/// When a level that has something to say leaves the decision to the level below.
-///
-/// ```
-/// use cla_core::level2::{Fallback, Level2Config};
-/// assert_eq!(Level2Config::FORAGER.fallback, Fallback::Never);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Fallback {
-    /// Level 2 decides wherever it knows what happened last; its beliefs fall back one by one.
-    Never,
-    /// Level 2 is overloaded while its recent share of right predictions is below this share of
-    /// what it was (book, 3.4 and 6.3).
-    MeanReliability(f32),
-    /// The level whose best action has the larger value decides; of equals level 2 (6.2.3).
-    ValueThenReliability,
-}
-
-impl Level2Config {
-    /// What works best on the simulated Pioneer.
-    pub const FORAGER: Self = Self {
-        prior: 2.0,
-        experience: 0.5,
-        lambda: 0.9,
-        learning_rate: 0.02,
-        forgetting: 0.01,
-        values_per_step: 4,
-        fallback: Fallback::Never,
-    };
-}
-
-impl Config for Level2Config {
-    fn check(&self) -> Result<(), ConfigError> {
-        Range::ABOVE_ZERO.check("Level2Config::prior", self.prior)?;
-        Range::SHARE.check("Level2Config::experience", self.experience)?;
-        Range::SHARE.check("Level2Config::lambda", self.lambda)?;
-        Range::SHARE.check("Level2Config::learning_rate", self.learning_rate)?;
-        Range::BELOW_ONE.check("Level2Config::forgetting", self.forgetting)?;
-        match self.fallback {
-            Fallback::MeanReliability(share) => {
-                Range::SHARE.check("Fallback::MeanReliability", share)
-            }
-            Fallback::Never | Fallback::ValueThenReliability => Ok(()),
-        }
-    }
-}
+use crate::word::{ActionId, Cost, ItemStates};
 
 /// Weights of a new prediction in the slow and the fast share of right ones.
 const SLOW: f32 = 0.000_5;
@@ -137,7 +61,7 @@ impl Rates {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SecondLevel<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize> {
-    pub(crate) table: BeliefTable<ACTIONS, SYNTHETIC, BELIEFS>,
+    table: BeliefTable<ACTIONS, SYNTHETIC, BELIEFS>,
     /// By which discount and share of experience the rows' `then` was computed.
     rates: Rates,
     /// The item whose value is computed next.
@@ -281,6 +205,43 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         if let Some(believed) = self.most_believed(trace, action) {
             self.count_prediction(Some(believed) == item);
         }
+    }
+
+    /// Learns what came of an action done after `trace`: a prediction was right or wrong, and if a
+    /// known schema succeeded, its item was on and its reward is felt.
+    pub(crate) fn learn(
+        &mut self,
+        trace: SyntheticId,
+        action: ActionId,
+        item: Option<SyntheticId>,
+        reward: f32,
+        discount: f32,
+        config: &Level2Config,
+    ) {
+        self.judge(trace, action, item);
+        if let Some(to) = item {
+            self.experience(trace, to, reward, discount, config);
+            self.table.record(trace, action, item, config.forgetting);
+        }
+    }
+
+    /// An item's schema has just succeeded.
+    pub(crate) fn meet(&mut self, item: SyntheticId) {
+        self.table.meet(item);
+    }
+
+    /// Rows of the table, free ones too.
+    pub(crate) fn rows(&self) -> u16 {
+        self.table.rows.len() as u16
+    }
+
+    /// What the table has touched in this step.
+    pub(crate) const fn cost(&self) -> Cost {
+        self.table.cost
+    }
+
+    pub(crate) const fn set_cost(&mut self, cost: Cost) {
+        self.table.cost = cost;
     }
 
     /// In a doubt: lets no more occasions count than the evidence leaves of what was known.

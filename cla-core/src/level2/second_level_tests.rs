@@ -1,10 +1,11 @@
 //! What the second level believes, what it holds things to be worth, and when it forgets.
 
 use super::{
-    ActionId, BeliefTable, Fallback, KnowledgeBase, Level2Config, Rates, SchemaId, SecondLevel,
-    SyntheticId, ValueConfig, Voice,
+    ActionId, BeliefTable, KnowledgeBase, Level2Config, Rates, SchemaId, SecondLevel, SyntheticId,
+    ValueConfig, Voice,
 };
 use crate::check::Config;
+use crate::level2::Fallback;
 use crate::map::{ActionSomBank, HarvestConfig, ResultCoding, Sample, TrainingConfig};
 use crate::num::Rng;
 use crate::word::{ItemId, ItemStates, SchemaText, Vocabulary};
