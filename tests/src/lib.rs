@@ -1,5 +1,6 @@
 //! Tests that cross crates; what several of them need.
 
+pub mod claims;
 pub mod imports;
 pub mod tokens;
 

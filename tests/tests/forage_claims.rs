@@ -1,26 +1,28 @@
 //! The committed results of `forage` and `calibrate` are what the program measures.
 //!
-//! One seed of the foraging run lives again, and the whole calibration, which takes a second.
+//! Two seeds of the foraging run live again, one of them chosen by the commit, and the whole
+//! calibration, which takes a second.
 //! Every number must be the same to the last bit: runs are deterministic.
 
+mod lived;
+
 use cla_core::agent::AgentConfig;
+use cla_tests::claims::two_of;
 use host_sim::experiment::calibrate::{Calibrate, CalibrateOptions};
 use host_sim::experiment::forage::{Forage, ForageOptions};
 use host_sim::experiment::record::judged_again;
-use host_sim::report::Summary;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::setting::WorldOptions;
+use lived::{assert_same_measurements, committed};
 
-fn committed(text: &str) -> Summary {
-    Summary::from_json(text).expect("a committed claims file can be read")
-}
+const FORAGE: &str = include_str!("../claims/forage.json");
 
 #[test]
-fn the_second_seed_of_the_foraging_run_lives_the_same_life_again() {
-    let committed = committed(include_str!("../claims/forage.json"));
-    let seed = committed.seeds[1];
+fn two_seeds_of_the_foraging_run_live_the_same_lives_again() {
+    let committed = committed(FORAGE);
+    let places = two_of(committed.seeds.len(), FORAGE);
     let options = ForageOptions {
-        seeds: vec![seed],
+        seeds: places.map(|place| committed.seeds[place]).to_vec(),
         world: WorldOptions {
             config: PioneerConfig::NOISY,
             layout: None,
@@ -33,11 +35,9 @@ fn the_second_seed_of_the_foraging_run_lives_the_same_life_again() {
         .expect("the experiment runs")
         .summary;
     assert_eq!(again.parameters, committed.parameters);
-    assert_eq!(again.claims.len(), committed.claims.len());
-    for (new, old) in again.claims.iter().zip(&committed.claims) {
-        assert_eq!(new.id, old.id);
-        assert_eq!(new.per_seed[0], old.per_seed[1], "{}", new.id);
-    }
+    let compared = assert_same_measurements(&again, &committed);
+    assert_eq!(compared, committed.claims.len());
+    assert_eq!(compared, again.claims.len());
 }
 
 #[test]
@@ -50,7 +50,7 @@ fn the_calibration_comes_out_as_committed() {
 
 #[test]
 fn the_committed_claims_are_the_ones_that_were_promised() {
-    let forage = committed(include_str!("../claims/forage.json"));
+    let forage = committed(FORAGE);
     assert_eq!(forage.seeds, (100..120).collect::<Vec<u64>>());
     for id in [
         "ingrip_by_10000",
@@ -68,8 +68,12 @@ fn the_committed_claims_are_the_ones_that_were_promised() {
         "reliability.6_2",
         "reliability.6_7",
         "reliability.6_8",
+        "reliability.6_9",
         "reliability.6_11",
         "reliability.6_12",
+        "reliability.6_13",
+        "reliability.6_14",
+        "level2_drop.book",
     ] {
         assert!(forage.find(&format!("forage.{id}")).is_some(), "{id}");
     }

@@ -38,14 +38,14 @@ fn the_committed_claims_are_the_ones_that_were_promised() {
         "mcu.hil.same",
     ] {
         let claim = committed.find(id).expect("it is claimed");
-        assert_eq!(claim.ours.mean, Some(1.0), "{id}");
+        assert_eq!(claim.ours.value, Some(1.0), "{id}");
     }
 }
 
 #[test]
 fn code_and_static_memory_come_out_as_committed() {
     let committed = committed();
-    let claimed = |id| committed.find(id).and_then(|claim| claim.ours.mean);
+    let claimed = |id| committed.find(id).and_then(|claim| claim.ours.value);
     let proof = Build {
         opt_level: "s",
         entry: "training",

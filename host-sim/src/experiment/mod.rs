@@ -11,3 +11,28 @@ pub mod noted;
 pub mod plan;
 pub mod record;
 pub mod recover;
+
+use crate::report::Claim;
+
+/// What an experiment claims with its standard options, as it is written before anything has run.
+///
+/// `None` where the claims come of programs that must be built first, as those of `mcu` do.
+///
+/// ```
+/// use host_sim::experiment::declared;
+/// let claims = declared("forage").unwrap_or_default();
+/// assert!(claims.iter().any(|it| it.id == "forage.level1_over_sector"));
+/// assert!(claims.iter().all(|it| it.ours.n == 0));
+/// ```
+#[must_use]
+pub fn declared(experiment: &str) -> Option<Vec<Claim>> {
+    match experiment {
+        "angle" => Some(angle::declared()),
+        "calibrate" => Some(calibrate::declared()),
+        "causal" => Some(causal::declared()),
+        "forage" => Some(forage::declared()),
+        "microworld" => Some(microworld::declared()),
+        "recover" => Some(recover::declared()),
+        _ => None,
+    }
+}

@@ -50,7 +50,7 @@ use crate::report::Results;
 /// }
 ///
 /// let results = run::<Parity>(&vec![1, 2, 3, 4], &Progress::hidden())?;
-/// assert_eq!(results.summary.claims[0].ours.mean, Some(0.5));
+/// assert_eq!(results.summary.claims[0].ours.value, Some(0.5));
 /// # Ok::<(), Failure>(())
 /// ```
 pub trait Experiment {

@@ -26,11 +26,11 @@ pub struct Results {
 }
 
 impl Results {
-    /// Results without pictures yet.
+    /// Results without pictures yet; the claims are judged together.
     #[must_use]
-    pub const fn new(summary: Summary) -> Self {
+    pub fn new(summary: Summary) -> Self {
         Self {
-            summary,
+            summary: summary.judged(),
             worst_ticks: Vec::new(),
             story: None,
             remark: None,
@@ -75,6 +75,12 @@ impl Results {
         }
         if !self.summary.claims.is_empty() {
             text.push_str(&claims_text(&self.summary.claims));
+            text.push_str(&format!(
+                "\n{} ({} seeds): {}\n",
+                self.summary.status,
+                self.summary.seeds.len(),
+                self.summary.verdict_line()
+            ));
         }
         if let Some(remark) = &self.remark {
             text.push_str(&format!("\n{remark}\n"));

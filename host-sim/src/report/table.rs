@@ -4,38 +4,34 @@
 
 use serde_json::Value;
 
-use super::claims::{Book, Claim, Ours};
+use super::claims::{Claim, Ours, Reference};
 use super::summary::Table;
 
-/// One line a claim: id, what the number counts, ours, the book's, verdict.
+/// One line a claim: id, what the number counts, ours, the printed number, verdict.
 ///
 /// ```
-/// use host_sim::report::{Bound, Expectation, Rule, claims_text};
+/// use host_sim::report::{Expectation, claims_text};
 /// let claim = Expectation::new("forage.captures", "6.2.5", "captures")
 ///     .book((20.4, 1.53, 10))
-///     .rule(Rule::mean(Bound::AtLeast(20.4)))
 ///     .judge(&[27.0, 28.0]);
 /// let text = claims_text(&[claim]);
 /// assert!(text.contains("27.5 ± 0.707 (2)") && text.contains("20.4 ± 1.53 (10)"));
-/// assert!(text.trim_end().ends_with("reproduced"));
+/// assert!(text.trim_end().ends_with("measured"));
 /// ```
 #[must_use]
 pub fn claims_text(claims: &[Claim]) -> String {
-    let head = ["claim", "unit", "ours", "book", "verdict"];
+    let head = ["claim", "unit", "ours", "printed", "verdict"];
     let mut lines = vec![head.map(str::to_owned).to_vec()];
     for claim in claims {
-        let met = match claim.met {
-            Some(false) => " (aim missed)",
-            _ => "",
-        };
-        let extension = claim.verdict == super::Verdict::Extension;
-        let verdict = format!("{}{}", claim.verdict, if extension { met } else { "" });
         lines.push(vec![
             format!("{} [{}]", claim.id, claim.section),
             claim.unit.clone(),
-            ours(&claim.ours),
-            claim.book.map_or_else(|| "–".to_owned(), book),
-            verdict,
+            ours_text(&claim.ours),
+            claim
+                .reference
+                .as_ref()
+                .map_or_else(|| "–".to_owned(), reference),
+            claim.verdict.to_string(),
         ]);
     }
     columns(
@@ -71,21 +67,40 @@ pub fn table_text(table: &Table) -> String {
     columns(&lines, &sides)
 }
 
-fn ours(ours: &Ours) -> String {
-    match ours.mean {
-        Some(mean) => spread(mean, ours.sd.filter(|_| ours.n > 1), Some(ours.n)),
-        None => "not there".to_owned(),
-    }
+/// An estimate with its standard deviation or, where that is another estimator's, its interval; and
+/// the number of seeds.
+#[must_use]
+pub fn ours_text(ours: &Ours) -> String {
+    let never = ours.never.filter(|&never| never > 0);
+    let never = never.map_or_else(String::new, |never| format!(", {never} never"));
+    let n = format!("({}{never})", ours.n);
+    let Some(value) = ours.value else {
+        let word = if ours.never.is_some() {
+            "never"
+        } else {
+            "not there"
+        };
+        return format!("{word} {n}");
+    };
+    let spread = match (ours.sd, &ours.interval) {
+        (Some(sd), _) => format!(" ± {}", number(sd, 3)),
+        (None, Some(range)) => {
+            let high = range
+                .high
+                .map_or_else(|| "never".to_owned(), |it| number(it, 3));
+            format!(" [{}, {high}]", number(range.low, 3))
+        }
+        (None, None) => String::new(),
+    };
+    format!("{}{spread} {n}", number(value, 4))
 }
 
-fn book(book: Book) -> String {
-    spread(book.mean, book.sd, book.n)
-}
-
-fn spread(mean: f64, sd: Option<f64>, n: Option<u32>) -> String {
-    let sd = sd.map_or_else(String::new, |sd| format!(" ± {}", number(sd, 3)));
-    let n = n.map_or_else(String::new, |n| format!(" ({n})"));
-    format!("{}{sd}{n}", number(mean, 4))
+fn reference(printed: &Reference) -> String {
+    let sd = printed
+        .sd
+        .map_or_else(String::new, |sd| format!(" ± {}", number(sd, 3)));
+    let n = printed.n.map_or_else(String::new, |n| format!(" ({n})"));
+    format!("{}{sd}{n}", number(printed.mean, 4))
 }
 
 fn cell(value: &Value) -> String {
@@ -99,7 +114,7 @@ fn cell(value: &Value) -> String {
 }
 
 /// A number to so many significant digits, without trailing zeros.
-fn number(value: f64, digits: i32) -> String {
+pub(super) fn number(value: f64, digits: i32) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
@@ -153,7 +168,27 @@ fn columns(lines: &[Vec<String>], sides: &[Side]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::number;
+    use super::{number, ours_text};
+    use crate::report::Expectation;
+
+    #[test]
+    fn an_estimate_stands_beside_its_own_error() {
+        let claim = || Expectation::new("a.b", "6.1", "captures");
+        for (claim, text) in [
+            (claim().judge(&[5.0]), "5 (1)"),
+            (claim().judge(&[4.0, 6.0]), "5 ± 1.41 (2)"),
+            (claim().judge(&[]), "not there (0)"),
+            (
+                claim().judge_ratio(&[2.0, 4.0], &[1.0, 2.0]),
+                "2 [2, 2] (2)",
+            ),
+            (claim().judge_time(&[9.0, f64::NAN, 7.0]), "9 (3, 1 never)"),
+            (claim().judge_time(&[f64::NAN]), "never (1, 1 never)"),
+            (claim().judge_count(1516.0), "1516 (1)"),
+        ] {
+            assert_eq!(ours_text(&claim.ours), text);
+        }
+    }
 
     #[test]
     fn numbers_have_the_digits_that_matter() {

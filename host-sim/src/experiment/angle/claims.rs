@@ -7,7 +7,7 @@ use super::options::AngleOptions;
 use super::stimulus::{MIDPOINT_CHANNELS, ORIENTATION_CHANNELS};
 use super::tables;
 use super::trial::{NAMED, Network, Trial, of};
-use crate::report::{Bound, Claim, Expectation, Rule, Summary, cohens_d, mean, sample_sd, welch_t};
+use crate::report::{Bound, Claim, Expectation, Rule, Summary};
 
 /// A response counts as none when it is within this much of the habituated one.
 const NULL: f64 = 0.01;
@@ -42,7 +42,7 @@ pub(super) fn summary(options: &AngleOptions, trials: &[Trial]) -> Summary {
     summary
 }
 
-fn claims(trials: &[Trial]) -> [Claim; 6] {
+fn claims(trials: &[Trial]) -> [Claim; 8] {
     let prefers = |network: Network, preferred: fn(&Looking) -> bool| -> Vec<bool> {
         trials
             .iter()
@@ -76,15 +76,23 @@ fn claims(trials: &[Trial]) -> [Claim; 6] {
             "seeds in which A is more novel than B",
         )
         .rule(nineteen())
-        .note(compared(trials, NAMED[0].1))
         .judge_share(&prefers(NAMED[0].1, a_over_b)),
+        Expectation::new(
+            "angle.young.ratio",
+            "2.1.2",
+            "novelty of A over that of B, young",
+        )
+        .extension()
+        .judge_ratio(
+            &of(trials, |trial| trial.young.top.rotated),
+            &of(trials, |trial| trial.young.top.opened),
+        ),
         Expectation::new(
             "angle.trained",
             "2.1.2",
             "seeds in which B is more novel than A",
         )
         .rule(nineteen())
-        .note(compared(trials, NAMED[1].1))
         .judge_share(&prefers(NAMED[1].1, b_over_a)),
         ratio(
             Expectation::new(
@@ -103,8 +111,16 @@ fn claims(trials: &[Trial]) -> [Claim; 6] {
         )
         .extension()
         .rule(nineteen())
-        .note(compared(trials, NAMED[2].1))
         .judge_share(&prefers(NAMED[2].1, b_over_a)),
+        ratio(
+            Expectation::new(
+                "angle.held_out.ratio",
+                "2.1.2",
+                "novelty of B over that of A, old, A unseen",
+            )
+            .extension(),
+            NAMED[2].1,
+        ),
         Expectation::new(
             "angle.level1",
             "2.1.3",
@@ -124,21 +140,4 @@ fn claims(trials: &[Trial]) -> [Claim; 6] {
         .note("without the place of the second line no network can see the angle")
         .judge_share(&null),
     ]
-}
-
-fn compared(trials: &[Trial], network: Network) -> String {
-    let a = of(trials, |trial| network(trial).top.rotated);
-    let b = of(trials, |trial| network(trial).top.opened);
-    let test = welch_t(&a, &b);
-    format!(
-        "A {:.2} ± {:.2}, B {:.2} ± {:.2}, t({:.1}) = {:.1}, p = {:.1e}, d = {:.1}",
-        mean(&a),
-        sample_sd(&a),
-        mean(&b),
-        sample_sd(&b),
-        test.freedom,
-        test.t,
-        test.p,
-        cohens_d(&a, &b),
-    )
 }

@@ -23,7 +23,7 @@ pub use trial::Trial;
 use super::plan::Experiment;
 use crate::failure::Failure;
 use crate::progress::Ticker;
-use crate::report::Results;
+use crate::report::{Claim, Results};
 
 /// The study.
 #[derive(Clone, Copy, Debug)]
@@ -64,4 +64,9 @@ impl Experiment for Angle {
         }
         Ok(results)
     }
+}
+
+/// What is claimed, before anything has run.
+pub(super) fn declared() -> Vec<Claim> {
+    claims::summary(&AngleOptions::standard(Vec::new()), &[]).claims
 }

@@ -6,6 +6,7 @@
 
 use super::trial::{Driver, Row};
 use super::yardstick::Run;
+use crate::report::{Bound, Rule};
 
 /// How far the actions to the last capture may be off, as a share.
 pub const ACTIONS_TOLERANCE: f64 = 0.20;
@@ -31,6 +32,10 @@ pub struct Finding {
     pub stage_4_3_0: Option<f64>,
     /// Whether the rule holds; `None` without runs of Stage 1.3.4.
     pub holds: Option<bool>,
+    /// The same rule as data.
+    pub asked: Option<Rule>,
+    /// Of a share that is pooled: what is counted on each layout, and of how many.
+    pub counts: Option<(Vec<f64>, Vec<f64>)>,
 }
 
 /// The findings of some conditions, in their order.
@@ -51,6 +56,8 @@ fn actions(row: &Row, name: &str) -> Finding {
     finding.unit = "actions to the last capture, median";
     finding.rule = "within 20 % of Stage 1.3.4";
     finding.judge(|ours, stage| (ours / stage - 1.0).abs() <= ACTIONS_TOLERANCE);
+    let near = |stage| Rule::median_within(stage, ACTIONS_TOLERANCE);
+    finding.asked = finding.stage_1_3_4.map(near);
     finding
 }
 
@@ -67,6 +74,15 @@ fn p_s3(row: &Row, name: &str) -> Finding {
     finding.unit = "P(s3 stays s3 after forward, nearest blob)";
     finding.rule = "within .08 of Stage 1.3.4";
     finding.judge(|ours, stage| (ours - stage).abs() <= P_S3_TOLERANCE);
+    let near = |stage| Rule::mean_near(stage, P_S3_TOLERANCE);
+    finding.asked = finding.stage_1_3_4.map(near);
+    let column = |index: usize| {
+        row.ours
+            .iter()
+            .map(|run| f64::from(run.near[index]))
+            .collect()
+    };
+    finding.counts = Some((column(1), column(0)));
     finding
 }
 
@@ -80,6 +96,8 @@ fn captures(row: &Row) -> Finding {
         (captured.min(least), captured.max(most))
     });
     finding.judge(|ours, _| (least..=most).contains(&ours));
+    let within = |_| Rule::median(Bound::Between(least, most));
+    finding.asked = finding.stage_1_3_4.map(within);
     finding
 }
 
@@ -101,6 +119,8 @@ impl Finding {
             stage_1_3_4: summary(&values(&row.stage_1_3_4)),
             stage_4_3_0: summary(&values(&row.stage_4_3_0)),
             holds: None,
+            asked: None,
+            counts: None,
         }
     }
 

@@ -22,7 +22,7 @@ pub use trial::{Condition, Row};
 use super::plan::Experiment;
 use crate::failure::Failure;
 use crate::progress::Ticker;
-use crate::report::Results;
+use crate::report::{Claim, Results};
 
 /// The experiment.
 #[derive(Clone, Copy, Debug)]
@@ -54,4 +54,9 @@ impl Experiment for Calibrate {
         }
         Ok(results)
     }
+}
+
+/// What is claimed, before anything has run.
+pub(super) fn declared() -> Vec<Claim> {
+    claims::declared()
 }

@@ -10,7 +10,7 @@ use super::options::CausalOptions;
 use super::overload::{Reaction, TESTS};
 use super::tables;
 use super::trial::{Control, Trial, of};
-use crate::report::{Bound, Claim, Expectation, Rule, Summary, cohens_d, mean, sample_sd, welch_t};
+use crate::report::{Bound, Claim, Expectation, Rule, Summary};
 use crate::world::launching::{Event, Noise};
 
 pub(super) fn summary(options: &CausalOptions, trials: &[Trial]) -> Summary {
@@ -85,12 +85,7 @@ fn components(trials: &[Trial]) -> [Claim; 2] {
         let separates: Vec<bool> = ratios.iter().map(|&r| r >= SEPARATION_MARGIN).collect();
         Expectation::new(id, "4.3.2", margin.as_str())
             .rule(Rule::mean(Bound::AtLeast(0.9)))
-            .note(format!(
-                "{what}: {:.2} ± {:.2} times, at least {:.2}",
-                mean(&ratios),
-                sample_sd(&ratios),
-                ratios.iter().copied().fold(f64::INFINITY, f64::min)
-            ))
+            .note(what)
             .judge_share(&separates)
     };
     [
@@ -164,14 +159,14 @@ fn causal_view(trials: &[Trial]) -> Vec<Claim> {
             pattern,
         ),
         larger(
-            "causal.direct_vs_delaygap",
+            "causal.direct_vs_delaygap@2",
             (9.66, 1.16),
             1.6,
             &pick(|d| d.direct_delaygap),
             &below,
         ),
         larger(
-            "causal.direct_vs_gap",
+            "causal.direct_vs_gap@2",
             (8.20, 0.56),
             1.4,
             &pick(|d| d.direct_gap),
@@ -191,31 +186,21 @@ fn causal_view(trials: &[Trial]) -> Vec<Claim> {
 }
 
 /// A causal difference that is larger than that of Delay and Gap, 5.38 ± 1.00 in the book.
+///
+/// The book's units are those of its own maps, and its ratio has no error: what is asked is that the
+/// difference is larger, clearly and in every seed.
 fn larger(id: &str, book: (f64, f64), least: f64, above: &[f64], below: &[f64]) -> Claim {
-    let book_ratio = book.0 / 5.38;
-    let test = welch_t(above, below);
-    let significant = test.p < 0.001 && test.t > 0.0;
     Expectation::new(id, "4.3.4", "times the difference of Delay and Gap")
-        .book(book_ratio)
         .rule(Rule::All(vec![
             Rule::mean(Bound::AtLeast(least)),
             Rule::every_seed(Bound::Above(1.0)),
-            Rule::judged("Welch p < .001", significant),
+            Rule::p(Bound::AtMost(0.001)),
         ]))
-        .exceeded(Rule::mean(Bound::AtLeast(book_ratio)))
         .note(format!(
-            "{:.2} ± {:.2} against {:.2} ± {:.2}, t({:.1}) = {:.1}, p = {:.1e}, d = {:.1}; \
-             book {:.2} ± {:.2} against 5.38 ± 1.00 (n = 4)",
-            mean(above),
-            sample_sd(above),
-            mean(below),
-            sample_sd(below),
-            test.freedom,
-            test.t,
-            test.p,
-            cohens_d(above, below),
+            "the book has {:.2} ± {:.2} against 5.38 ± 1.00 (n = 4), {:.2} times as much",
             book.0,
             book.1,
+            book.0 / 5.38,
         ))
         .judge_ratio(above, below)
 }
@@ -225,20 +210,13 @@ fn stages(trials: &[Trial]) -> Claim {
         let [position, movement, top] = trial.settled;
         top > position && top > movement
     });
-    let settled = |layer: usize| mean(&of(trials, |trial| trial.settled[layer]));
     Expectation::new(
         "causal.stages",
         "4.3.6",
         "seeds in which the Top layer settles last",
     )
     .rule(Rule::mean(Bound::AtLeast(0.9)))
-    .note(format!(
-        "settled within a third of the final composite after {:.2}, {:.2} and {:.2} of training \
-             (Position, Movement, Top); book: .69 for Level 1",
-        settled(0),
-        settled(1),
-        settled(2),
-    ))
+    .note("settled: within a third of the final composite; the book has .69 for Level 1")
     .judge_share(&last)
 }
 
@@ -247,32 +225,42 @@ fn fallback(trials: &[Trial]) -> Vec<Claim> {
     let clean = |of_it: fn(&Reaction) -> f64| of(trials, |r| of_it(&r.overload.clean));
     let detected = noisy(|reaction| reaction.rates.overloaded[2]);
     let false_alarms = clean(|reaction| reaction.rates.any);
-    let both = detected
+    let good: Vec<bool> = detected
         .iter()
         .zip(&false_alarms)
-        .filter(|(d, f)| **d >= 0.95 && **f <= 0.05);
-    let good = both.count();
-    let enough = good as f64 >= 0.95 * trials.len() as f64;
-    let rule = Rule::judged(
-        format!("detected >= 0.95 with false alarms <= 0.05 in 95 % of seeds ({good} here)"),
-        enough,
-    );
+        .map(|(detected, false_alarms)| *detected >= 0.95 && *false_alarms <= 0.05)
+        .collect();
     let mut claims = vec![
-        Expectation::new("causal.fallback.detected", "4.4", "share of Noisy events")
-            .rule(rule.clone())
+        Expectation::new(
+            "causal.fallback.good",
+            "4.4",
+            "seeds that find .95 of Noisy events at .05 false alarms or fewer",
+        )
+        .extension()
+        .rule(Rule::share(19, 20))
+        .note("detectors of our own, of distance and of order")
+        .judge_share(&good),
+        Expectation::new("causal.fallback.detected@2", "4.4", "share of Noisy events")
+            .extension()
+            .rule(Rule::mean(Bound::AtLeast(0.95)))
             .note("the Top layer's own detectors: distance and order")
             .judge(&detected),
         Expectation::new(
-            "causal.fallback.false_alarms",
+            "causal.fallback.false_alarms@2",
             "4.4",
             "share of held-out clean events",
         )
-        .rule(rule)
+        .extension()
+        .rule(Rule::mean(Bound::AtMost(0.05)))
         .note("any detector of any layer; clean: new draws within the trained jitter")
         .judge(&false_alarms),
         Expectation::new("causal.fallback.correct", "4.4", "share of Noisy events")
+            .extension()
             .rule(Rule::mean(Bound::AtLeast(0.95)))
-            .note("the Top layer is overloaded and Level 1 answers")
+            .note(
+                "the Top layer is overloaded and one of the layers below it is not, which answers, \
+                 be it Position alone",
+            )
             .judge(&noisy(|reaction| reaction.rates.fallback)),
         Expectation::new("causal.fallback.literal", "3.4", "share of Noisy events")
             .rule(Rule::mean(Bound::AtLeast(0.95)))
@@ -296,19 +284,13 @@ fn fallback(trials: &[Trial]) -> Vec<Claim> {
 
 /// Level 1 responds to the Noisy event and the Top layer hardly does (Fig 4.10).
 fn muted(trials: &[Trial]) -> Claim {
-    let activation = |layer: usize| of(trials, |r| r.overload.noisy.activation[layer]);
-    let [position, movement, top] = [0, 1, 2].map(activation);
+    let top = of(trials, |r| r.overload.noisy.activation[2]);
     Expectation::new(
         "causal.fallback.muted",
         "4.4.2",
         "Top activation, Noisy over Direct",
     )
     .rule(Rule::mean(Bound::AtMost(0.5)))
-    .note(format!(
-        "Position {:.2} and Movement {:.2} of their activation in Direct events",
-        mean(&position),
-        mean(&movement),
-    ))
     .judge(&top)
 }
 
@@ -329,10 +311,6 @@ fn controls(trials: &[Trial]) -> [Claim; 4] {
         .zip(&direct)
         .map(|(delay, direct)| *delay > 0 && delay > direct)
         .collect();
-    let reverse = mean(&of(trials, |trial| {
-        let differences = trial.mostly_delay.differences();
-        differences.direct_delaygap / differences.delay_gap
-    }));
     let none = of(trials, |trial| trial.untrained.special_nodes() == [0; 4]);
     let staged = of(trials, |trial| trial.staged.has_full_pattern());
     [
@@ -342,7 +320,7 @@ fn controls(trials: &[Trial]) -> [Claim; 4] {
             "Direct–Delay+Gap over Delay–Gap, equal frequencies",
         )
         .rule(Rule::mean(Bound::AtMost(1.2)))
-        .note("with equal frequencies Direct is not special: special follows frequency")
+        .note("with equal frequencies in training: special follows frequency")
         .judge(&uniform),
         Expectation::new(
             "causal.control.delay85",
@@ -350,10 +328,7 @@ fn controls(trials: &[Trial]) -> [Claim; 4] {
             "seeds with more special nodes for Delay than for Direct",
         )
         .rule(Rule::mean(Bound::AtLeast(0.9)))
-        .note(format!(
-            "with Delay at 85 % Delay becomes the special event (ratio {reverse:.2}): special \
-             follows frequency"
-        ))
+        .note("with Delay at 85 % of the events in training: special follows frequency")
         .judge_share(&delay_is_special),
         Expectation::new(
             "causal.control.untrained",

@@ -19,7 +19,7 @@ pub use trial::Trial;
 use super::plan::Experiment;
 use crate::failure::Failure;
 use crate::progress::Ticker;
-use crate::report::Results;
+use crate::report::{Claim, Results};
 
 /// The experiment.
 #[derive(Clone, Copy, Debug)]
@@ -61,4 +61,9 @@ impl Experiment for Causal {
         }
         Ok(results)
     }
+}
+
+/// What is claimed, before anything has run.
+pub(super) fn declared() -> Vec<Claim> {
+    claims::summary(&CausalOptions::standard(Vec::new()), &[]).claims
 }

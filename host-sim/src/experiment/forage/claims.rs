@@ -4,18 +4,14 @@ use super::bench::Captures;
 use super::options::{BOOK_SCHEMAS, ForageOptions};
 use super::trial::{Trial, last, of};
 use super::{level2_claims, tables};
-use crate::report::{Bound, Claim, Expectation, Rule, Summary, Verdict, mean, welch_t};
+use crate::report::{Better, Bound, Claim, Expectation, Rule, Summary};
 
 pub(super) fn summary(options: &ForageOptions, trials: &[Trial]) -> Summary {
     let mut summary = Summary::new("forage", &options.seeds);
     parameters(&mut summary, options);
     summary.claims = claims(trials);
     if options.is_varied() {
-        // Numbers of another world or another length say nothing of the book's.
-        summary
-            .claims
-            .iter_mut()
-            .for_each(|claim| claim.verdict = Verdict::Extension);
+        summary.vary();
     }
     summary.table("1 captures in a test", tables::captures(trials));
     summary.table(
@@ -26,13 +22,12 @@ pub(super) fn summary(options: &ForageOptions, trials: &[Trial]) -> Summary {
     summary
 }
 
-fn claims(trials: &[Trial]) -> Vec<Claim> {
+pub(super) fn claims(trials: &[Trial]) -> Vec<Claim> {
     let captures = "captures in 3000 actions";
     let replaced = of(trials, |t| f64::from(last(t).replaced));
     let sector = of(trials, |t| f64::from(t.sector.replaced));
-    let welch = welch_t(&replaced, &sector);
-    let ahead = mean(&replaced) >= 1.15 * mean(&sector);
-    let mut all = vec![
+    let mut all =
+        vec![
         Expectation::new("forage.ingrip_by_10000", "6.2.6", "share of seeds")
             .book(1.0)
             .rule(Rule::mean(Bound::AtLeast(0.95)))
@@ -42,39 +37,30 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
                     .map(|t| t.first_ingrip.is_some())
                     .collect::<Vec<_>>(),
             ),
-        Expectation::new("forage.first_ingrip", "6.2.6", "actions of training")
-            .book(2250.0)
-            .rule(Rule::mean(Bound::Between(1500.0, 3000.0)))
+        Expectation::new("forage.first_ingrip@2", "6.2.6", "actions of training")
+            .rule(Rule::median(Bound::Between(1500.0, 3000.0)))
             .note("the book says 1500 to 3000; we look every 250 actions, so 250 means at most")
-            .judge(&of(trials, |t| t.first_ingrip.map_or(f64::NAN, f64::from))),
-        Expectation::new("forage.captures.level1", "6.2.5", captures)
+            .judge_time(&of(trials, |t| t.first_ingrip.map_or(f64::NAN, f64::from))),
+        Expectation::new("forage.captures.level1@2", "6.2.5", captures)
             .extension()
-            .rule(Rule::Judged {
-                text: format!(
-                    "mean >= 1.15 x forage.baseline.sector (Welch t = {:.2}, p = {:.1e})",
-                    welch.t, welch.p
-                ),
-                met: ahead,
-            })
             .note("specimens reappear elsewhere, so the score does not saturate")
             .judge(&replaced),
         Expectation::new("forage.level1_over_sector", "6.2.5", "ratio")
             .extension()
             .rule(Rule::mean(Bound::AtLeast(1.15)))
             .judge_ratio(&replaced, &sector),
-        Expectation::new("forage.captures.level1_removed", "6.2.5", "captures of 28")
+        Expectation::new("forage.captures.level1_removed@2", "6.2.5", "captures of 28")
             .book((20.4, 1.53, 10))
-            .rule(Rule::mean(Bound::AtLeast(20.4)))
-            .exceeded(Rule::mean(Bound::AtLeast(27.0)))
+            .rule(Rule::Book(Better::Higher))
             .judge(&of(trials, |t| f64::from(last(t).removed))),
-        Expectation::new("forage.captures.lexicographic", "6.2.3", "captures of 28")
+        Expectation::new("forage.captures.lexicographic@2", "6.2.3", "captures of 28")
             .book((20.4, 1.53, 10))
-            .rule(Rule::mean(Bound::AtLeast(20.4)))
+            .rule(Rule::Book(Better::Higher))
             .note("our learner with the book's choice rule and values, in training and in the test")
             .judge(&of(trials, |t| f64::from(t.lexicographic.removed))),
-        Expectation::new("forage.captures.book", "6.2.5", "captures of 28")
+        Expectation::new("forage.captures.book@2", "6.2.5", "captures of 28")
             .book((20.4, 1.53, 10))
-            .rule(Rule::mean(Bound::AtLeast(20.4)))
+            .rule(Rule::Book(Better::Higher))
             .note("everything as the book says: schedules, harvest, choice; no recruitment")
             .judge(&of(trials, |t| f64::from(t.book.removed))),
         Expectation::new("forage.captures.lexicographic_replaced", "6.2.3", captures)
@@ -92,12 +78,12 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
         .extension()
         .judge(&of(trials, |t| f64::from(t.noise_free.removed))),
         Expectation::new(
-            "forage.mean_reliability.level1",
+            "forage.mean_reliability.level1@2",
             "6.2.6",
             "mean reliability",
         )
         .book((0.405, 0.010, 10))
-        .rule(Rule::mean(Bound::Between(0.305, 0.505)))
+        .rule(Rule::Book(Better::Neither))
         .note(
             "ours keeps the rare alternatives as schemas of their own, each with a small \
                  share of its context's trials; the book's maps average them away",
@@ -109,12 +95,12 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
     for (index, book) in [8.574, 9.025, 9.5, 9.025, 8.574].into_iter().enumerate() {
         all.push(
             Expectation::new(
-                format!("forage.table_6_3.s{}", index + 1),
+                format!("forage.table_6_3.s{}@2", index + 1),
                 "6.2.6",
                 "deferred value",
             )
             .book((book, 0.0, 10))
-            .rule(Rule::median(Bound::Between(book - 0.001, book + 0.001)))
+            .rule(Rule::Book(Better::Neither))
             .judge(&of(trials, |t| t.deferred[index])),
         );
     }
@@ -139,15 +125,12 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
         if let Some((book, sd)) = *printed {
             all.push(
                 Expectation::new(
-                    format!("forage.reliability.{number}"),
+                    format!("forage.reliability.{number}@2"),
                     "6.2.6",
                     "reliability",
                 )
                 .book((book, sd, 10))
-                .rule(Rule::mean(Bound::Between(
-                    (book * 0.5 * 1000.0).round() / 1000.0,
-                    (book * 1.5 * 1000.0).round() / 1000.0,
-                )))
+                .rule(Rule::Book(Better::Neither))
                 .note(*text)
                 .judge(&of(trials, |t| record(t).reliability().unwrap_or(f64::NAN))),
             );

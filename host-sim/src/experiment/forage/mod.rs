@@ -24,7 +24,7 @@ use super::plan::Experiment;
 use crate::device::meter::Load;
 use crate::failure::Failure;
 use crate::progress::Ticker;
-use crate::report::Results;
+use crate::report::{Claim, Results};
 
 /// The experiment.
 #[derive(Clone, Copy, Debug)]
@@ -66,4 +66,9 @@ impl Experiment for Forage {
         results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
         Ok(results)
     }
+}
+
+/// What is claimed, before anything has run.
+pub(super) fn declared() -> Vec<Claim> {
+    claims::claims(&[])
 }

@@ -27,7 +27,7 @@ use std::thread;
 use super::plan::Experiment;
 use crate::failure::Failure;
 use crate::progress::Ticker;
-use crate::report::Results;
+use crate::report::{Claim, Results};
 
 /// Stack of a thread that trains maps: they are built on it before they move to the heap.
 const STACK: usize = 32 << 20;
@@ -72,6 +72,11 @@ impl Experiment for Chapter5 {
         }
         Ok(results)
     }
+}
+
+/// What is claimed, before anything has run.
+pub(super) fn declared() -> Vec<Claim> {
+    claims::claims(&[])
 }
 
 #[cfg(test)]

@@ -19,7 +19,11 @@ use super::plan::Experiment;
 use crate::device::meter::Load;
 use crate::failure::Failure;
 use crate::progress::Ticker;
-use crate::report::Results;
+use crate::report::{Claim, Results};
+use crate::world::config::PioneerConfig;
+use crate::world::damage::Damage;
+use crate::world::pioneer::{ACTIONS, ITEMS};
+use crate::world::setting::WorldOptions;
 
 /// The experiment.
 #[derive(Clone, Copy, Debug)]
@@ -81,4 +85,20 @@ impl Experiment for Recover {
         }
         Ok(results)
     }
+}
+
+/// What is claimed of every damage and of none, before anything has run.
+pub(super) fn declared() -> Vec<Claim> {
+    let parse = |text: &&str| Damage::parse(text, &ITEMS, &ACTIONS).ok();
+    let reported = Damage::REPORTED.iter().filter_map(parse);
+    let options = RecoverOptions {
+        seeds: Vec::new(),
+        world: WorldOptions {
+            config: PioneerConfig::NOISY,
+            layout: None,
+        },
+        damages: reported.chain([Damage::None]).collect(),
+        protocol: life::Protocol::STANDARD,
+    };
+    claims::summary(&options, &[]).claims
 }
