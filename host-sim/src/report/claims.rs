@@ -251,22 +251,4 @@ impl Claim {
     pub fn name(&self) -> &str {
         self.id.split_once('@').map_or(&self.id, |(name, _)| name)
     }
-
-    /// What was written before anything ran, with nothing measured.
-    ///
-    /// ```
-    /// use host_sim::report::Expectation;
-    /// let claim = |seeds: &[f64]| Expectation::new("a.b", "6.1", "captures").judge(seeds);
-    /// assert_eq!(claim(&[1.0, 2.0]).declared(), claim(&[]).declared());
-    /// ```
-    #[must_use]
-    pub fn declared(&self) -> Self {
-        let mut bare = Self {
-            per_seed: Vec::new(),
-            against: self.against.as_ref().map(|_| Vec::new()),
-            ..self.clone()
-        };
-        super::judge::judge(core::slice::from_mut(&mut bare));
-        bare
-    }
 }

@@ -52,6 +52,26 @@ pub(super) fn judge(claims: &mut [Claim]) {
     }
 }
 
+impl Claim {
+    /// What was written before anything ran, with nothing measured.
+    ///
+    /// ```
+    /// use host_sim::report::Expectation;
+    /// let claim = |seeds: &[f64]| Expectation::new("a.b", "6.1", "captures").judge(seeds);
+    /// assert_eq!(claim(&[1.0, 2.0]).declared(), claim(&[]).declared());
+    /// ```
+    #[must_use]
+    pub fn declared(&self) -> Self {
+        let mut bare = Self {
+            per_seed: Vec::new(),
+            against: self.against.as_ref().map(|_| Vec::new()),
+            ..self.clone()
+        };
+        judge(core::slice::from_mut(&mut bare));
+        bare
+    }
+}
+
 fn members(claims: &[Claim], all: &[Measured], family: &str) -> usize {
     let pairs = claims.iter().zip(all);
     pairs
