@@ -100,7 +100,7 @@ impl Experiment for Blinking {
 
 fn main() -> Result<(), Failure> {
     let options = Options {
-        seeds: (0..6).collect(),
+        seeds: (0..10).collect(),
         drop_out: vec![0.0, 0.3, 0.6, 0.9],
         actions: 1000,
     };
