@@ -65,7 +65,7 @@ fn boards(bench: &Bench) -> Vec<Claim> {
                     board.actions,
                     target.name()
                 ))
-                .judge_share(&[board.identical]),
+                .judge_count(f64::from(u8::from(board.identical))),
         );
         let maps = match target {
             Target::M0 => "10 × 10 with a byte a weight",
