@@ -1,6 +1,6 @@
 //! Figures: drawn once, as SVG and as PNG.
 //!
-//! Every stroke goes into both ([`page::Page`]), and the font is compiled in: a machine without
+//! Every stroke goes into both (`page`), and the font is compiled in: a machine without
 //! fonts makes the same picture to the last pixel.
 //! Colours are Okabe and Ito's, which colour-blind readers tell apart.
 

@@ -105,7 +105,7 @@ impl State {
         }
     }
 
-    /// The state that a primitive action, given by its index in [`ACTIONS`], leads to (Table 5.1).
+    /// The state that a primitive action, given by its index in `ACTIONS`, leads to (Table 5.1).
     ///
     /// An index beyond the table changes nothing.
     #[must_use]
