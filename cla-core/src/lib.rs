@@ -1,3 +1,5 @@
+//! The Constructivist Learning Architecture for a robot's own controller (Chaput 2004).
+//!
 #![doc = include_str!("../README.md")]
 //!
 //! The storeys, in the book's order; each knows only those before it:
