@@ -8,7 +8,8 @@
 //! [`word`] (items, actions, notation) → [`map`] (one for each action) → [`knowledge`] (the tables) →
 //! [`choice`] (values, habits, rules) → [`level2`] (synthetic items) → [`adaptation`] (alarm, doubt) →
 //! [`agent`] (one life); [`forager`] describes the book's robot.
-//! [`growth`] is the other learner: it stands on the words alone.
+//! [`growth`] is the other learner: it stands on the words alone; [`reason`] plans with its schemas, and
+//! [`forest`] is one learner for any world.
 //!
 #![doc = include_str!("../glossary.md")]
 #![no_std]
@@ -43,6 +44,7 @@ pub mod layer;
 pub mod level2;
 pub mod map;
 pub mod num;
+pub mod reason;
 pub mod som;
 pub mod word;
 

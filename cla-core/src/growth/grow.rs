@@ -78,9 +78,9 @@ struct Growth<'a, const WORDS: usize, E> {
 
 /// Samples that a context applies to: agreeing and contradicting.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Tally {
-    agree: u16,
-    contradict: u16,
+pub(crate) struct Tally {
+    pub(crate) agree: u16,
+    pub(crate) contradict: u16,
 }
 
 /// The simplest context found that `seed` satisfies and the samples do not contradict; `None` when
@@ -267,7 +267,7 @@ impl<const WORDS: usize, E: Evidence<WORDS>> Growth<'_, WORDS, E> {
 /// times a power of the share of agreement that is left.
 ///
 /// Squared rather than plain, a third fewer schemas cover the same changes of the Microworld.
-fn gain(before: Tally, after: Tally, generality: u8) -> f32 {
+pub(crate) fn gain(before: Tally, after: Tally, generality: u8) -> f32 {
     let agreement = (f32::from(after.agree) + 1.0) / (f32::from(before.agree) + 1.0);
     let ruled_out = f32::from(before.contradict - after.contradict) / f32::from(before.contradict);
     let mut gain = ruled_out;

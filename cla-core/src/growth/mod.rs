@@ -17,9 +17,11 @@ mod simple_schema;
 mod simplify;
 
 pub use accommodation::{Accommodated, Accommodation, AccommodationConfig};
+pub(crate) use attention::Attention;
 pub use evidence::{Evidence, Transition};
 pub use goal::{Attempt, Planner, PlannerConfig, Progress, chain_backward};
 pub use grow::GrowthConfig;
+pub(crate) use grow::{Tally, gain};
 pub use hidden::{HindsightSample, NoRoomForItem, SyntheticItem, SyntheticItems};
 pub use reservoir::Reservoir;
 pub use simple_schema::{Entry, SimpleSchema, SimpleSchemas};

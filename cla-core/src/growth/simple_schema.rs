@@ -133,7 +133,11 @@ impl SimpleSchema {
         self.holds_in(&sample.on_before(), &sample.off_before())
     }
 
-    fn holds_in<const WORDS: usize>(&self, on: &ItemSet<WORDS>, off: &ItemSet<WORDS>) -> bool {
+    pub(crate) fn holds_in<const WORDS: usize>(
+        &self,
+        on: &ItemSet<WORDS>,
+        off: &ItemSet<WORDS>,
+    ) -> bool {
         self.context().all(|(item, sign)| {
             let side = if sign { on } else { off };
             side.contains(item)
@@ -161,6 +165,16 @@ impl SimpleSchema {
     pub(crate) fn begin_with(&mut self, successes: u16, activations: u16) {
         self.successes = successes;
         self.activations = activations;
+    }
+
+    /// Successes since it last was the best explanation of a change, up to 255.
+    pub(crate) const fn idle(&self) -> u8 {
+        self.idle
+    }
+
+    /// It succeeded, and another explained it better, or not.
+    pub(crate) const fn was_idle(&mut self, idle: bool) {
+        self.idle = if idle { self.idle.saturating_add(1) } else { 0 };
     }
 
     /// Trials, the remembered samples that it was grown from included.
@@ -338,12 +352,11 @@ impl<const SCHEMAS: usize> SimpleSchemas<SCHEMAS> {
             let slot = best.as_flattened_mut().get_mut(usize::from(schema.result));
             let Some(most) = slot else { continue };
             if schema.holds_in(&on, &off) && schema.success(sample) == Some(true) {
-                if schema.successes == *most {
-                    schema.idle = 0;
+                let explains = schema.successes == *most;
+                schema.was_idle(!explains);
+                if explains {
                     // Of equally successful ones the first explains.
                     *most = u16::MAX;
-                } else {
-                    schema.idle = schema.idle.saturating_add(1);
                 }
             }
         }

@@ -27,6 +27,7 @@ use cla_core::layer::*;
 use cla_core::level2::*;
 use cla_core::map::*;
 use cla_core::num::{Neighbourhood, Rng, Schedule, ScheduleError, exp, ln, sqrt};
+use cla_core::reason::{Prospects, Pursuit, Reason as Faculty};
 use cla_core::som::*;
 use cla_core::word::*;
 
@@ -96,6 +97,7 @@ type Tables = KnowledgeBase<1, 128, 1024>;
 type Mind = Accommodation<3, 32, 200, 10>;
 type Forest = forest::Mind<1, 7, 6, 448, 200, 512, 512, 2048>;
 type Plans = Planner<3, 76, 100>;
+type Reasoning = Faculty<3, 76, 10, 32, 200, 100>;
 type Items3 = ItemSet<3>;
 type Reified = SyntheticItems<3, 16>;
 type Maps = SomLevel<1, 7, 2, 39, 6, 6, 6, 128, 512>;
@@ -498,5 +500,28 @@ entries! {
         it.contexts(action, |path, _| nodes += path.len() as u32);
         let (share, blocks) = it.record(voice);
         (it.relevance(item) + share, it.stuck() ^ blocks, it.size().2 ^ nodes)
+    }
+    "reason_observe" (
+        it: &mut Reasoning, before: &ItemStates<3>, action: ActionId, after: &ItemStates<3>, reward: f32,
+    ) {
+        it.observe(before, action, after, reward);
+        it.interrupt();
+    }
+    "reason_begin" (it: &mut Reasoning, values: [f32; 76], seed: u64) { it.begin(values, seed); }
+    "reason_work" (it: &mut Reasoning, units: u32) -> u32 { u32::from(it.pending()) ^ it.work(units) }
+    "reason_pursue" (
+        it: &mut Reasoning, goal: Signed, limit: u16, now: &ItemStates<3>,
+    ) -> (Pursuit, bool) {
+        it.give_up();
+        it.pursue(goal, limit, now);
+        (it.pursuit(), it.pursuit().is_underway())
+    }
+    "reason_prospects" (
+        it: &Reasoning, now: &ItemStates<3>, action: ActionId,
+    ) -> (Prospects<10>, Items3, f32) {
+        (it.prospects(now), it.predict(now, action), it.noise(action))
+    }
+    "reason_inspect" (it: &Reasoning) -> u32 {
+        it.schemas().len() as u32 ^ u32::from(it.imagined()) ^ it.losses().0
     }
 }

@@ -1,0 +1,457 @@
+//! The faculty: learns from each action, works for some units, says what may be had and how.
+
+use super::accommodating::{Accommodating, PASSED};
+use super::experience::Experience;
+use super::imagined::{Imagined, NEVER};
+use super::pursuit::{Aim, Pursuit, Way};
+use crate::growth::SimpleSchema;
+use crate::word::{ActionId, ItemSet, ItemStates, SignedItems};
+
+/// The discount of what may be had.
+const DISCOUNT: f32 = 0.95;
+/// Units that one state's update takes.
+const SWEEP: u32 = 6;
+
+/// What each action is worth, as far as anybody can foresee.
+///
+/// ```
+/// let none = cla_core::reason::Prospects::<2>::NONE;
+/// assert_eq!((none.values, none.way), ([None; 2], cla_core::reason::Way::Unknown));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prospects<const ACTIONS: usize> {
+    /// The discounted worth of what may be had after each action; `None` where nothing is known.
+    pub values: [Option<f32>; ACTIONS],
+    /// The next action towards the goal that is pursued.
+    pub towards: Option<ActionId>,
+    /// How far that goal is.
+    pub way: Way,
+}
+
+impl<const ACTIONS: usize> Prospects<ACTIONS> {
+    /// Nothing is foreseen.
+    pub const NONE: Self = Self {
+        values: [None; ACTIONS],
+        towards: None,
+        way: Way::Unknown,
+    };
+}
+
+/// Schemas, imagined states and a goal, in fixed memory.
+///
+/// Capacities: words of an item set, items, actions, remembered samples an action, schemas, imagined
+/// states.
+///
+/// In the field: incremental rule induction with replay, and planning on the model that it makes.
+///
+/// ```
+/// use cla_core::reason::Reason;
+/// use cla_core::word::{ActionId, ItemId, ItemStates};
+/// // One item, a lamp; action 1 toggles it, action 0 does nothing.
+/// let mut reason = Reason::<1, 1, 2, 8, 8, 4>::new();
+/// reason.begin([1.0], 7);
+/// let lamp = |on: bool| {
+///     let mut now = ItemStates::<1>::all_off(1);
+///     now.set(ItemId(0), Some(on)).map(|()| now)
+/// };
+/// let mut on = false;
+/// for step in 0..20 {
+///     let action = ActionId(step / 2 % 2);
+///     let next = on != (action == ActionId(1));
+///     reason.observe(&lamp(on)?, action, &lamp(next)?, f32::from(u8::from(next)));
+///     reason.work(200);
+///     on = next;
+/// }
+/// assert_eq!(reason.schemas().len(), 2);
+/// let values = reason.prospects(&lamp(false)?).values;
+/// assert!(values[1] > values[0]);
+/// # Ok::<(), cla_core::word::ItemOutOfRange>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Reason<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+    const NODES: usize,
+> {
+    known: Accommodating<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS>,
+    imagined: Imagined<WORDS, ITEMS, ACTIONS, NODES>,
+    /// What is believed to be on now, and its state.
+    believed: ItemSet<WORDS>,
+    here: u16,
+    /// Where imagining stands: the next link to predict, the next state to bring up to date.
+    next: (u16, u8),
+    sweep: u16,
+    upward: bool,
+    /// Whether anything changed in this round of sweeps, and in the last one.
+    moving: bool,
+    moved: bool,
+    /// Whether schemas changed since the links were predicted, and in this round.
+    stale: bool,
+    fresher: bool,
+    values: [f32; ITEMS],
+    aim: Aim<WORDS>,
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+    const NODES: usize,
+> Reason<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS, NODES>
+{
+    /// Nothing known, nothing valued.
+    #[must_use]
+    pub const fn new() -> Self {
+        const {
+            assert!(ITEMS < 255, "a simple schema speaks of items 0 to 254");
+        }
+        Self {
+            known: Accommodating::new(),
+            imagined: Imagined::new(),
+            believed: ItemSet::EMPTY,
+            here: 0,
+            next: (0, 0),
+            sweep: 0,
+            upward: false,
+            moving: false,
+            moved: false,
+            stale: false,
+            fresher: false,
+            values: [0.0; ITEMS],
+            aim: Aim::NONE,
+        }
+    }
+
+    /// Begins anew; `values` says what it is worth when an item is on after an action.
+    ///
+    /// What is no number is worth nothing, and nothing is worth more than a million, or less.
+    pub fn begin(&mut self, values: [f32; ITEMS], seed: u64) {
+        self.known.begin(seed);
+        self.imagined.clear();
+        self.believed = ItemSet::EMPTY;
+        self.next = (0, 0);
+        self.sweep = 0;
+        self.stale = false;
+        self.moving = false;
+        self.moved = false;
+        self.values = values.map(bounded);
+        self.aim = Aim::NONE;
+    }
+
+    /// The schemas that are believed now, in no order that means anything.
+    #[must_use]
+    pub fn schemas(&self) -> &[SimpleSchema] {
+        self.known.table.all()
+    }
+
+    /// Schemas that made room for others, and schemas that found none.
+    #[must_use]
+    pub const fn losses(&self) -> (u32, u32) {
+        self.known.table.losses()
+    }
+
+    /// The number of imagined states.
+    #[must_use]
+    pub const fn imagined(&self) -> u16 {
+        self.imagined.len()
+    }
+
+    /// How often an action does not do what it mostly does, as far as its record tells, in `[0, 0.2]`.
+    #[must_use]
+    pub fn noise(&self, action: ActionId) -> f32 {
+        self.known.noise(action)
+    }
+
+    /// What is believed to be on, of what is perceived and, where that is unknown, of what was
+    /// foreseen.
+    fn believe(&self, now: &ItemStates<WORDS>, foreseen: &ItemSet<WORDS>) -> ItemSet<WORDS> {
+        foreseen.difference(&now.known()).union(now.on())
+    }
+
+    /// Learns from one completed action, and what it brought; an action that the brain does not have
+    /// changes nothing.
+    ///
+    /// Schemas that applied are tested, the sample is filed; contexts grow while it works.
+    pub fn observe(
+        &mut self,
+        before: &ItemStates<WORDS>,
+        action: ActionId,
+        after: &ItemStates<WORDS>,
+        reward: f32,
+    ) {
+        let index = usize::from(action.0);
+        if index >= ACTIONS {
+            return;
+        }
+        let from = self.believe(before, &self.believed);
+        let foreseen = self.known.table.predict(&from, action.0 as u8);
+        let sample = Experience {
+            before: *before,
+            after: *after,
+        };
+        self.known.compare(action, &sample);
+        let to = self.believe(after, &foreseen);
+        let exact = self.noise(action) <= 0.0;
+        let worth = bounded(reward);
+        let imagined = self.imagined.len();
+        let mut here = self.imagined.visit(&from, self.worth_of(&from));
+        let there = self.imagined.visit(&to, worth);
+        if self.imagined.len() < imagined {
+            // Room was made: states have other places, and links are to be predicted again.
+            here = self.imagined.find(&from).unwrap_or(here);
+            self.stale = true;
+            self.next = (0, 0);
+            self.sweep = 0;
+        }
+        let changed = self.imagined.live(here, action.0 as u8, there, exact);
+        let goal = self.aim.goal();
+        let news = self.imagined.sweep(here, goal, DISCOUNT);
+        self.moving |= changed || news;
+        self.believed = to;
+        self.here = there;
+        self.aim.count(after);
+    }
+
+    /// The episode is over: what is unknown at first is believed to be off.
+    pub fn interrupt(&mut self) {
+        self.believed = ItemSet::EMPTY;
+    }
+
+    fn worth_of(&self, on: &ItemSet<WORDS>) -> f32 {
+        let mut worth = 0.0;
+        for item in on.iter() {
+            worth += self.values.get(usize::from(item.0)).copied().unwrap_or(0.0);
+        }
+        worth
+    }
+
+    /// Works for about so many units on what is pending; answers how many it took.
+    ///
+    /// A unit is some thirty instructions on a Cortex-M4F at most. Half goes to contexts and half to
+    /// imagined states, and what one of them does not need to the other; while a new goal spreads over
+    /// them that takes three quarters.
+    pub fn work(&mut self, units: u32) -> u32 {
+        let mut spent = self.look_around();
+        while self.aim.goal().is_some() && spent < units - units / 4 {
+            let took = self.sweep_next();
+            if took == 0 {
+                break;
+            }
+            spent += took;
+        }
+        while spent < units {
+            let half = spent + (units - spent) / 2 + 1;
+            let mut did = 0;
+            while spent < half {
+                let took = self.known.grow();
+                if took == 0 {
+                    break;
+                }
+                spent += took;
+                did += took;
+            }
+            self.stale |= self.known.take_news();
+            while spent < units {
+                let took = self.imagine();
+                if took == 0 {
+                    break;
+                }
+                spent += took;
+                did += took;
+            }
+            if did == 0 {
+                break;
+            }
+        }
+        spent
+    }
+
+    /// Whether there is work to do.
+    #[must_use]
+    pub fn pending(&self) -> bool {
+        self.known.pending()
+            || self.stale
+            || self.fresher
+            || self.moving
+            || self.moved
+            || self.next.0 < self.imagined.len()
+    }
+
+    /// What each action leads to here, if nobody knows; the units that it took.
+    fn look_around(&mut self) -> u32 {
+        let mut units = 0;
+        for action in 0..ACTIONS as u8 {
+            if self.imagined.is_open(self.here, action) {
+                units += self.foresee(self.here, action);
+            }
+        }
+        if units > 0 {
+            let goal = self.aim.goal();
+            self.moving |= self.imagined.sweep(self.here, goal, DISCOUNT);
+        }
+        units
+    }
+
+    fn foresee(&mut self, at: u16, action: u8) -> u32 {
+        let Some(on) = self.imagined.on(at).copied() else {
+            return 1;
+        };
+        let after = self.known.table.predict(&on, action);
+        let worth = self.worth_of(&after);
+        let news = self.imagined.foresee(at, action, &after, worth);
+        self.moving |= news;
+        8 + self.known.table.of(action).len() as u32 / PASSED
+    }
+
+    /// A part of the work on imagined states; 0 units when there is none.
+    fn imagine(&mut self) -> u32 {
+        let foreseen = self.predict_next();
+        let mut units = foreseen;
+        let swept = if foreseen == 0 { SWEEP } else { foreseen };
+        let mut sweeping = 0;
+        while sweeping < swept {
+            let took = self.sweep_next();
+            if took == 0 {
+                break;
+            }
+            sweeping += took;
+        }
+        units += sweeping;
+        units
+    }
+
+    /// Predicts one link, of states in the order in which they were found.
+    fn predict_next(&mut self) -> u32 {
+        let (at, action) = self.next;
+        if at >= self.imagined.len() {
+            // A round is over; another one when schemas have changed since.
+            if !self.stale {
+                self.fresher = false;
+                return 0;
+            }
+            self.stale = false;
+            self.fresher = true;
+            self.next = (0, 0);
+            return 1;
+        }
+        self.next = if usize::from(action) + 1 < ACTIONS {
+            (at, action + 1)
+        } else {
+            (at + 1, 0)
+        };
+        if self.imagined.was_lived(at, action) {
+            1
+        } else {
+            self.foresee(at, action)
+        }
+    }
+
+    /// Brings the next state up to date; 0 units when all are.
+    fn sweep_next(&mut self) -> u32 {
+        if !self.moving && !self.moved {
+            return 0;
+        }
+        let len = self.imagined.len();
+        if self.sweep >= len {
+            self.sweep = 0;
+            self.upward = !self.upward;
+            self.moved = self.moving;
+            self.moving = false;
+            return 1;
+        }
+        let at = if self.upward {
+            self.sweep
+        } else {
+            len - 1 - self.sweep
+        };
+        self.sweep += 1;
+        let goal = self.aim.goal();
+        self.moving |= self.imagined.sweep(at, goal, DISCOUNT);
+        SWEEP
+    }
+
+    /// What may be had from here, and how a goal that is pursued is reached.
+    ///
+    /// Nothing where this state was never met or imagined.
+    #[must_use]
+    pub fn prospects(&self, now: &ItemStates<WORDS>) -> Prospects<ACTIONS> {
+        let on = self.believe(now, &self.believed);
+        let Some(here) = self.imagined.find(&on) else {
+            return Prospects::NONE;
+        };
+        let mut nearest: Option<(u8, ActionId)> = None;
+        if self.aim.goal().is_some() {
+            for (action, distance) in (0..).zip(self.imagined.distances(here)) {
+                if distance < nearest.map_or(NEVER, |(least, _)| least) {
+                    nearest = Some((distance, ActionId(action)));
+                }
+            }
+        }
+        Prospects {
+            values: self.imagined.values(here, DISCOUNT),
+            towards: nearest.map(|(_, action)| action),
+            way: nearest.map_or(Way::Unknown, |(left, _)| Way::Actions(left + 1)),
+        }
+    }
+
+    /// Pursues a goal for at most `limit` actions, beginning now; it replaces the last one.
+    pub fn pursue(&mut self, goal: SignedItems<WORDS>, limit: u16, now: &ItemStates<WORDS>) {
+        self.aim = Aim::begin(goal, limit, now);
+        self.imagined.lose_sight();
+        self.moving = true;
+    }
+
+    /// Pursues nothing any more.
+    pub fn give_up(&mut self) {
+        self.aim = Aim::NONE;
+    }
+
+    /// How the pursuit of the last goal stands.
+    #[must_use]
+    pub const fn pursuit(&self) -> Pursuit {
+        self.aim.state
+    }
+
+    /// What is expected to be on after an action.
+    #[must_use]
+    pub fn predict(&self, now: &ItemStates<WORDS>, action: ActionId) -> ItemSet<WORDS> {
+        let on = self.believe(now, &self.believed);
+        self.known
+            .table
+            .predict(&on, u8::try_from(action.0).unwrap_or(u8::MAX))
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+    const NODES: usize,
+> Default for Reason<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS, NODES>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The most that anything is worth.
+const MOST: f32 = 1.0e6;
+
+fn bounded(worth: f32) -> f32 {
+    if (-MOST..=MOST).contains(&worth) {
+        return worth;
+    }
+    let all = if worth > 0.0 { MOST } else { -MOST };
+    if worth.is_nan() { 0.0 } else { all }
+}
+
+#[cfg(test)]
+#[path = "faculty_tests.rs"]
+mod tests;

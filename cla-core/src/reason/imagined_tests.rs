@@ -1,0 +1,173 @@
+//! Values and goals along links, what stays when the graph is full, and what cannot be.
+
+use super::{Imagined, NEVER};
+use crate::num::Rng;
+use crate::word::{ItemId, ItemSet, SignedItems};
+
+fn place(at: u16) -> ItemSet<1> {
+    let mut set = ItemSet::EMPTY;
+    set.insert(ItemId(at)).unwrap();
+    set
+}
+
+fn goal(at: u16) -> SignedItems<1> {
+    let mut goal = SignedItems::EMPTY;
+    goal.insert(ItemId(at), true).unwrap();
+    goal
+}
+
+/// Places in a row; action 0 leads on, action 1 back; the last brings 1.
+fn row<const NODES: usize>(places: u16) -> Imagined<1, 32, 2, NODES> {
+    let mut row = Imagined::new();
+    for at in 0..places {
+        row.visit(&place(at), f32::from(u8::from(at == places - 1)));
+    }
+    for at in 0..places {
+        let here = row.find(&place(at)).unwrap();
+        for (action, to) in [(0, (at + 1).min(places - 1)), (1, at.saturating_sub(1))] {
+            let there = row.find(&place(to)).unwrap();
+            row.live(here, action, there, true);
+        }
+    }
+    row
+}
+
+fn settle<const NODES: usize>(row: &mut Imagined<1, 32, 2, NODES>, goal: Option<&SignedItems<1>>) {
+    for _ in 0..2_000 {
+        let mut moved = false;
+        for at in 0..row.len() {
+            moved |= row.sweep(at, goal, 0.5);
+        }
+        if !moved {
+            return;
+        }
+    }
+    panic!("it never settles");
+}
+
+#[test]
+fn values_and_distances_go_back_along_the_links() {
+    let mut row = row::<8>(6);
+    settle(&mut row, Some(&goal(5)));
+    for at in 0..5 {
+        let here = row.find(&place(at)).unwrap();
+        assert_eq!(row.distances(here)[0], (4 - at) as u8);
+        let [on, back] = row.values(here, 0.5).map(Option::unwrap);
+        // Whoever stays at the end gets 1 for ever: 2 in all, half as much a step earlier.
+        let wanted = 2.0 * 0.5_f32.powi(i32::from(4 - at));
+        assert!((on - wanted).abs() < 0.02, "{at}: {on}");
+        assert!(back < on);
+    }
+    row.lose_sight();
+    settle(&mut row, Some(&goal(0)));
+    assert_eq!(row.distances(row.find(&place(4)).unwrap()), [5, 3]);
+    // A goal that is nowhere is far from everywhere.
+    row.lose_sight();
+    settle(&mut row, Some(&goal(20)));
+    assert_eq!(row.distances(0), [NEVER; 2]);
+}
+
+#[test]
+fn a_way_that_is_cut_is_seen_no_more() {
+    let mut row = row::<8>(6);
+    settle(&mut row, Some(&goal(5)));
+    let [three, four] = [3, 4].map(|at| row.find(&place(at)).unwrap());
+    row.live(three, 0, three, true);
+    settle(&mut row, Some(&goal(5)));
+    assert_eq!(row.distances(three), [NEVER; 2]);
+    assert_eq!(row.distances(four)[0], 0);
+}
+
+#[test]
+fn what_was_lived_through_is_not_imagined_otherwise() {
+    let mut row = row::<8>(3);
+    let here = row.find(&place(1)).unwrap();
+    assert!(!row.foresee(here, 0, &place(0), 0.0));
+    // Where actions slip one exception changes nothing, a second one does.
+    let [back, there] = [0, 2].map(|at| row.find(&place(at)).unwrap());
+    assert!(!row.live(here, 0, back, false));
+    assert!(!row.live(here, 0, there, false));
+    assert!(!row.live(here, 0, back, false));
+    assert!(row.live(here, 0, back, false));
+}
+
+#[test]
+fn items_never_seen_together_make_no_state() {
+    let mut row = row::<8>(3);
+    let len = row.len();
+    let start = row.visit(&place(9), 0.0);
+    assert!(row.is_open(start, 0));
+    assert!(row.foresee(start, 0, &place(1).union(&place(2)), 0.0));
+    assert!(!row.is_open(start, 0));
+    assert_eq!(row.len(), len + 1);
+    assert_eq!(row.values(start, 0.5), [None; 2]);
+}
+
+#[test]
+fn a_full_graph_keeps_what_was_perceived() {
+    let mut row = row::<8>(5);
+    // Seen elsewhere, so that they may be imagined.
+    for at in 10..13 {
+        row.together[usize::from(at)] = place(at);
+        assert!(row.foresee(row.find(&place(0)).unwrap(), 0, &place(at), 1.0) || at > 0);
+        row.intern(&place(at), 1.0);
+    }
+    assert_eq!(row.len(), 8);
+    let new = row.visit(&place(20), 0.0);
+    assert_eq!((row.len(), new), (6, 5));
+    assert_eq!(row.find(&place(11)), None);
+    settle(&mut row, Some(&goal(4)));
+    for at in 0..4 {
+        let here = row.find(&place(at)).unwrap();
+        assert_eq!(row.distances(here)[0], (3 - at) as u8);
+    }
+    // When all was perceived it begins anew.
+    for at in 21..24 {
+        row.visit(&place(at), 0.0);
+    }
+    assert_eq!(row.len(), 1);
+    assert_eq!(row.find(&place(23)), Some(0));
+}
+
+#[test]
+fn whatever_is_asked_of_it_nothing_breaks() {
+    let mut graph = Imagined::<1, 32, 2, 8>::new();
+    let mut rng = Rng::new(4);
+    assert_eq!(graph.distances(3), [NEVER; 2]);
+    for _ in 0..5_000 {
+        let mut set = ItemSet::EMPTY;
+        for item in 0..4 {
+            if rng.chance(0.5) {
+                set.insert(ItemId(item)).unwrap();
+            }
+        }
+        let (at, action) = (rng.below(10) as u16, rng.below(4) as u8);
+        match rng.below(4) {
+            0 => {
+                let here = graph.visit(&set, rng.unit());
+                assert_eq!(graph.find(&set), Some(here));
+            }
+            1 => {
+                graph.foresee(at, action, &set, 0.5);
+            }
+            2 => {
+                let to = rng.below(u32::from(graph.len()).max(1)) as u16;
+                graph.live(at, action, to, rng.chance(0.5));
+            }
+            _ => {
+                graph.sweep(at, Some(&goal(2)), 0.9);
+            }
+        }
+        for at in 0..graph.len() {
+            let on = *graph.on(at).unwrap();
+            assert_eq!(graph.find(&on), Some(at));
+            assert!(
+                graph
+                    .values(at, 0.9)
+                    .iter()
+                    .flatten()
+                    .all(|it| it.is_finite())
+            );
+        }
+    }
+}
