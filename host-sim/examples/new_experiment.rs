@@ -13,7 +13,7 @@ use host_sim::failure::Failure;
 use host_sim::learner::controller::live;
 use host_sim::progress::Ticker;
 use host_sim::report::figure::{Axes, Line, Point, line_chart};
-use host_sim::report::{Bound, Expectation, Results, Rule, Summary, Table, mean};
+use host_sim::report::{Bound, Expectation, Results, Rule, Summary, Table, mean, sample};
 use host_sim::world::World;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::pioneer::Pioneer;
@@ -92,7 +92,11 @@ impl Experiment for Blinking {
         }
         summary.table("a servo whose camera blinks", table);
         let title = "What a blinking camera costs a servo";
-        let axes = Axes::new(title, "share of blobs missed", "captures");
+        let caption = format!(
+            "{}; band: 95 % interval of the mean",
+            sample(&options.seeds)
+        );
+        let axes = Axes::new(title, "share of blobs missed", "captures").caption(caption);
         let picture = line_chart(&axes, &[Line::new("servo", points)])?;
         Ok(Results::new(summary).picture("blinking", picture))
     }

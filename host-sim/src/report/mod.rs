@@ -35,7 +35,7 @@ pub use place::Place;
 pub use results::Results;
 pub use rule::{Better, Bound, Evidence, Rule, Statistic};
 pub use rule_text::NoRule;
-pub use seeds::{FINAL_BLOCKS, Status};
+pub use seeds::{FINAL_BLOCKS, Status, sample};
 pub use statistics::{
     Interval, Welch, cohens_d, confidence_interval, mean, median, quantile, sample_sd, welch_t,
 };

@@ -66,6 +66,30 @@ impl Status {
     }
 }
 
+/// How many seeds and which, for the caption of a figure.
+///
+/// ```
+/// use host_sim::report::sample;
+/// assert_eq!(sample(&[100, 101, 102]), "n = 3 (seeds 100–102)");
+/// assert_eq!(sample(&[7]), "n = 1 (seed 7)");
+/// assert_eq!(sample(&[1, 3]), "n = 2 (seeds 1, 3)");
+/// ```
+#[must_use]
+pub fn sample(seeds: &[u64]) -> String {
+    let in_a_row = seeds
+        .windows(2)
+        .all(|pair| pair[0].checked_add(1) == Some(pair[1]));
+    let which = match seeds {
+        [only] => format!("seed {only}"),
+        [first, .., last] if in_a_row => format!("seeds {first}–{last}"),
+        several => {
+            let texts: Vec<String> = several.iter().map(u64::to_string).collect();
+            format!("seeds {}", texts.join(", "))
+        }
+    };
+    format!("n = {} ({which})", seeds.len())
+}
+
 impl fmt::Display for Status {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {

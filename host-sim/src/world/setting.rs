@@ -35,6 +35,31 @@ impl WorldOptions {
         Ok(options)
     }
 
+    /// The world in a few words, for the caption of a figure.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let PioneerConfig {
+            radius,
+            specimens,
+            forward,
+            turn,
+            drop_out,
+            step_noise,
+            turn_noise,
+            ..
+        } = self.config;
+        let specimens = match &self.layout {
+            Some(_) => "specimens where a file puts them".to_owned(),
+            None => format!("{specimens} specimens"),
+        };
+        format!(
+            "Room of {radius} m radius, {specimens}, steps of {forward} m ± {:.0} %, turns of {turn}° ± \
+             {turn_noise}°, {:.0} % of blobs missed",
+            100.0 * step_noise,
+            100.0 * drop_out
+        )
+    }
+
     /// The same places with other parameters, which are checked when it is built.
     #[must_use]
     pub fn with(&self, config: PioneerConfig) -> Self {

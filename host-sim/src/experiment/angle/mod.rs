@@ -59,7 +59,7 @@ impl Experiment for Angle {
 
     fn judge(options: &AngleOptions, trials: &[Trial]) -> Result<Results, Failure> {
         let mut results = Results::new(claims::summary(options, trials));
-        for (name, picture) in figures::all(trials)? {
+        for (name, picture) in figures::all(options, trials)? {
             results = results.picture(name, picture);
         }
         Ok(results)

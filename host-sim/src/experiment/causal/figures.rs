@@ -4,9 +4,13 @@
 
 use super::measure::Differences;
 use super::network::{LAYERS, View};
+use super::options::CausalOptions;
 use super::overload::{Reaction, Scores};
 use super::trial::Trial;
-use crate::report::figure::{Axes, Bar, FigureError, HeatMap, Picture, bar_chart, heat_maps, roc};
+use crate::report::figure::{
+    Axes, Bar, FigureError, HeatMap, Picture, bar_chart, bar_charts, heat_maps, roc,
+};
+use crate::report::sample;
 use crate::world::launching::Event;
 
 /// The moments of Fig 4.9, in events of 6500.
@@ -17,127 +21,108 @@ type Score = fn(&Scores) -> &Vec<f64>;
 
 type Figures = Vec<(&'static str, Picture)>;
 
-pub(super) fn all(trials: &[Trial]) -> Result<Figures, FigureError> {
+pub(super) fn all(options: &CausalOptions, trials: &[Trial]) -> Result<Figures, FigureError> {
     let Some(first) = trials.first() else {
         return Ok(Vec::new());
     };
+    let of_all = sample(&options.seeds);
     Ok(vec![
         ("composites_level1", level_1(first)?),
         ("composites_top", top(first)?),
-        ("differences", differences(trials)?),
+        ("differences", differences(&of_all, trials)?),
         ("stages", stages(first)?),
         ("noisy", noisy(first)?),
-        ("overload_roc", detectors(trials)?),
-        ("controls", controls(trials)?),
+        ("overload_roc", detectors(&of_all, trials)?),
+        ("controls", controls(&of_all, trials)?),
     ])
 }
 
-/// A map drawn with every node as a square of `side` × `side`, so that maps of different layers
-/// are equally large on the page.
-fn map(title: &str, width: usize, side: usize, values: impl IntoIterator<Item = f32>) -> HeatMap {
-    let values: Vec<f64> = values.into_iter().map(f64::from).collect();
-    let large = values
-        .chunks(width)
-        .flat_map(|row| {
-            let wide: Vec<f64> = row
-                .iter()
-                .flat_map(|&value| std::iter::repeat_n(value, side))
-                .collect();
-            std::iter::repeat_n(wide, side).flatten()
-        })
-        .collect();
-    HeatMap::new(title, width * side, large)
+/// What all captions of single networks say.
+fn single(trial: &Trial) -> String {
+    format!(
+        "n = 1 (seed {}, the first). One square a node; events 85 % Direct, 5 % each of the others.",
+        trial.seed
+    )
 }
 
-/// The composites of a view, as shares of the largest of `largest`.
-fn maps_of(view: &View, name: &str, largest: [f32; 3]) -> [HeatMap; 3] {
-    let share = |layer: usize| move |&value: &f32| value / largest[layer];
-    let title = |layer: usize| format!("{}: {name}", LAYERS[layer]);
+/// Nodes in a row of each layer.
+const WIDTHS: [usize; 3] = [12, 6, 8];
+
+fn map(title: &str, layer: usize, values: impl IntoIterator<Item = f32>) -> HeatMap {
+    let values = values.into_iter().map(f64::from).collect();
+    HeatMap::new(title, WIDTHS[layer], values)
+}
+
+/// The composites of a view, layer by layer.
+fn composites(view: &View) -> [&[f32]; 3] {
     [
-        map(
-            &title(0),
-            12,
-            2,
-            view.position.nodes().as_slice().iter().map(share(0)),
-        ),
-        map(
-            &title(1),
-            6,
-            4,
-            view.movement.nodes().as_slice().iter().map(share(1)),
-        ),
-        map(
-            &title(2),
-            8,
-            3,
-            view.top.nodes().as_slice().iter().map(share(2)),
-        ),
+        view.position.nodes().as_slice(),
+        view.movement.nodes().as_slice(),
+        view.top.nodes().as_slice(),
     ]
 }
 
+/// The largest activation of each layer in any of the views.
 fn largest<'a>(views: impl IntoIterator<Item = &'a View>) -> [f32; 3] {
-    let most = |values: &[f32]| values.iter().copied().fold(0.0, f32::max);
-    views
-        .into_iter()
-        .fold([f32::MIN_POSITIVE; 3], |[a, b, c], view| {
-            [
-                a.max(most(view.position.nodes().as_slice())),
-                b.max(most(view.movement.nodes().as_slice())),
-                c.max(most(view.top.nodes().as_slice())),
-            ]
-        })
-}
-
-/// A still event holds its nodes for steps on end; the root keeps the others visible beside them.
-fn level_1(trial: &Trial) -> Result<Picture, FigureError> {
-    let largest = largest(&trial.trained.views);
-    let mut maps: [Vec<HeatMap>; 3] = Default::default();
-    for event in Event::ALL {
-        let of_event = maps_of(trial.trained.view(event), &event.to_string(), largest);
-        for (row, mut map) in maps.iter_mut().zip(of_event) {
-            map.values
-                .iter_mut()
-                .for_each(|value| *value = value.sqrt());
-            row.push(map);
+    let mut most = [f32::MIN_POSITIVE; 3];
+    for view in views {
+        for (most, values) in most.iter_mut().zip(composites(view)) {
+            *most = values.iter().copied().fold(*most, f32::max);
         }
     }
-    let [position, movement, _] = maps;
-    let both: Vec<HeatMap> = position.into_iter().chain(movement).collect();
-    let title = format!(
-        "Level 1: activation composites, root of the share of the largest (seed {})",
-        trial.seed
-    );
-    heat_maps(&title, 4, &both, Some((0.0, 1.0)))
+    most
 }
 
+/// Fig 4.5: a still event holds its nodes for steps on end; the root keeps the others visible beside
+/// them.
+fn level_1(trial: &Trial) -> Result<Picture, FigureError> {
+    let largest = largest(&trial.trained.views);
+    let rows = [0, 1].map(|layer| {
+        Event::ALL.map(|event| {
+            let values = composites(trial.trained.view(event))[layer];
+            let shares = values.iter().map(|value| (value / largest[layer]).sqrt());
+            map(&format!("{}: {event}", LAYERS[layer]), layer, shares)
+        })
+    });
+    let caption = format!(
+        "{} Composite: activation summed over an event, as the root of its share of the layer's \
+         largest. The book's figure shows the same in pictures without numbers.",
+        single(trial)
+    );
+    let axes = Axes::new(
+        "Claim: Position tells gap from no gap, Movement tells delay from no delay (Fig 4.5)",
+        "",
+        "root of share of largest",
+    );
+    heat_maps(&axes.caption(caption), 4, &rows.concat(), Some((0.0, 1.0)))
+}
+
+/// Fig 4.6.
 fn top(trial: &Trial) -> Result<Picture, FigureError> {
     let composites = Event::ALL.map(|event| {
         let nodes = trial.trained.view(event).top.nodes();
-        map(
-            &format!("composite: {event}"),
-            8,
-            3,
-            nodes.as_slice().iter().copied(),
-        )
+        let name = format!("composite: {event}");
+        map(&name, 2, nodes.as_slice().iter().copied())
     });
     let isolates = Event::ALL.map(|event| {
         let isolate = trial.trained.isolate(event);
-        map(
-            &format!("isolate: {event}"),
-            8,
-            3,
-            isolate.nodes().as_slice().iter().copied(),
-        )
+        let name = format!("isolate: {event}");
+        map(&name, 2, isolate.nodes().as_slice().iter().copied())
     });
-    let maps: Vec<HeatMap> = composites.into_iter().chain(isolates).collect();
-    let title = format!(
-        "Top layer: composites and isolates, summed activation (seed {})",
-        trial.seed
+    let caption = format!(
+        "{} Composite: activation summed over an event. Isolate: what exceeds those of the other \
+         three events together, at least 0.",
+        single(trial)
     );
-    heat_maps(&title, 4, &maps, None)
+    let title =
+        "Claim: at the Top layer, only Direct and Delay+Gap have nodes of their own (Fig 4.6)";
+    let axes = Axes::new(title, "", "summed activation").caption(caption);
+    let maps: Vec<HeatMap> = composites.into_iter().chain(isolates).collect();
+    heat_maps(&axes, 4, &maps, None)
 }
 
-fn differences(trials: &[Trial]) -> Result<Picture, FigureError> {
+/// Fig 4.7, in its own unit and as ratios.
+fn differences(of_all: &str, trials: &[Trial]) -> Result<Picture, FigureError> {
     let bar = |label: &str, of: fn(&Differences) -> f64| {
         let values: Vec<f64> = trials
             .iter()
@@ -145,66 +130,86 @@ fn differences(trials: &[Trial]) -> Result<Picture, FigureError> {
             .collect();
         Bar::mean_of(label, &values)
     };
-    // The book's numbers in our unit: both are drawn over the difference of Delay and Gap.
-    let bars = [
-        bar("Direct – Delay+Gap", |d| d.direct_delaygap / d.delay_gap).beside(9.66 / 5.38),
-        bar("Direct – Gap", |d| d.direct_gap / d.delay_gap).beside(8.20 / 5.38),
-        bar("Direct – Delay", |d| d.direct_delay / d.delay_gap),
-        Bar::new("Delay – Gap", 1.0).beside(1.0),
+    let (pair, deviation) = (5.38, 1.00);
+    let sums = [
+        bar("Direct – Delay+Gap", |d| d.direct_delaygap).beside_with(9.66, 1.16),
+        bar("Direct – Gap", |d| d.direct_gap).beside_with(8.20, 0.56),
+        bar("Direct – Delay", |d| d.direct_delay),
+        bar("Delay – Gap", |d| d.delay_gap).beside_with(pair, deviation),
     ];
-    let title = format!(
-        "Differences at the Top layer ({} seeds; lines: the book)",
-        trials.len()
+    let ratios = [
+        bar("Direct – Delay+Gap", |d| d.direct_delaygap / d.delay_gap).beside(9.66 / pair),
+        bar("Direct – Gap", |d| d.direct_gap / d.delay_gap).beside(8.20 / pair),
+        bar("Direct – Delay", |d| d.direct_delay / d.delay_gap),
+    ];
+    let caption = format!(
+        "{of_all}; book: 4 runs. Bars: mean; error bars: standard deviation. The sum depends on the \
+         width of the nodes' answers, which the book does not print; the ratio does not. The book \
+         labels one pair Direct – Delay, its text says Direct – Gap.",
     );
-    bar_chart(
-        &Axes::new(&title, "", "times Delay – Gap, mean ± sd"),
-        &bars,
-    )
+    let title = "Claim: causal pairs differ more than Delay and Gap do (Fig 4.7)";
+    let axes = Axes::new(title, "", "").caption(caption).sized(960, 460);
+    let charts: [(&str, &[Bar]); 2] = [
+        ("summed difference at the Top layer", &sums),
+        ("times Delay – Gap", &ratios),
+    ];
+    bar_charts(&axes, ["ours", "book"], &charts)
 }
 
+/// Fig 4.9: every map on its own scale, so that the early ones, which answer to everything, and the
+/// late ones, which answer with few nodes, are both seen.
 fn stages(trial: &Trial) -> Result<Picture, FigureError> {
     let last = trial.stages.last().map_or(1, |stage| stage.event);
     let moments = MOMENTS.map(|moment| u64::from(moment) * u64::from(last) / 6500);
     let mut maps = Vec::new();
-    for (layer, (width, side)) in [(12, 2), (6, 4), (8, 3)].into_iter().enumerate() {
-        let end = trial
-            .stages
-            .last()
-            .map_or(&[][..], |stage| &stage.composites[layer]);
-        let most = end.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
+    for (layer, name) in LAYERS.into_iter().enumerate() {
         for moment in moments {
             let near = |stage: &&super::measure::Stage| u64::from(stage.event).abs_diff(moment);
             if let Some(stage) = trial.stages.iter().min_by_key(near) {
-                let title = format!("{} {}", LAYERS[layer], stage.event);
-                let values = stage.composites[layer]
-                    .iter()
-                    .map(|value| (value / most).min(1.0));
-                maps.push(map(&title, width, side, values));
+                let values = &stage.composites[layer];
+                let most = values.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
+                let largest = match most {
+                    0.05.. => format!("{most:.1}"),
+                    _ => "below 0.05".to_owned(),
+                };
+                let title = format!("{name}, {} events, largest {largest}", stage.event);
+                maps.push(map(&title, layer, values.iter().map(|value| value / most)));
             }
         }
     }
-    let title = format!(
-        "The Direct event after so many training events; 1 is the final largest (seed {})",
-        trial.seed
+    let caption = format!(
+        "{} Composite of the Direct event, as a share of the map's own largest activation, which \
+         stands above it.",
+        single(trial)
     );
-    heat_maps(&title, MOMENTS.len(), &maps, Some((0.0, 1.0)))
+    let title = "Claim: the Top layer settles after the layers below it (Fig 4.9)";
+    let axes = Axes::new(title, "", "share of largest").caption(caption);
+    heat_maps(&axes, MOMENTS.len(), &maps, Some((0.0, 1.0)))
 }
 
+/// Fig 4.10.
 fn noisy(trial: &Trial) -> Result<Picture, FigureError> {
     let direct = trial.trained.view(Event::Direct);
     let largest = largest([direct, &trial.noisy]);
-    let maps: Vec<HeatMap> = maps_of(direct, "Direct", largest)
-        .into_iter()
-        .chain(maps_of(&trial.noisy, "Noisy", largest))
-        .collect();
-    let title = format!(
-        "A Noisy event: composites, share of the largest (seed {})",
-        trial.seed
+    let row = |view: &View, name: &str| {
+        [0, 1, 2].map(|layer| {
+            let shares = composites(view)[layer].iter();
+            let shares = shares.map(|value| value / largest[layer]);
+            map(&format!("{}: {name}", LAYERS[layer]), layer, shares)
+        })
+    };
+    let maps = [row(direct, "Direct"), row(&trial.noisy, "Noisy")].concat();
+    let caption = format!(
+        "{} Composite of one event, as a share of the layer's largest in either.",
+        single(trial)
     );
-    heat_maps(&title, 3, &maps, Some((0.0, 1.0)))
+    let title =
+        "Claim: in a Noisy event the Top layer is muted, the layers below answer (Fig 4.10)";
+    let axes = Axes::new(title, "", "share of largest").caption(caption);
+    heat_maps(&axes, 3, &maps, Some((0.0, 1.0)))
 }
 
-fn detectors(trials: &[Trial]) -> Result<Picture, FigureError> {
+fn detectors(of_all: &str, trials: &[Trial]) -> Result<Picture, FigureError> {
     let pool = |reactions: fn(&Trial) -> &[Reaction], of: Score| -> Vec<f64> {
         let reactions = trials.iter().flat_map(reactions);
         reactions
@@ -226,10 +231,20 @@ fn detectors(trials: &[Trial]) -> Result<Picture, FigureError> {
         .iter()
         .map(|(name, noisy, clean)| (*name, &noisy[..], &clean[..]))
         .collect();
-    roc("Overload of the Top layer, all kinds of noise", &curves)
+    let caption = format!(
+        "{of_all}; events of all seeds and of all kinds of noise together. Area: under the curve; \
+         .5 is chance, 1 is without error.",
+    );
+    let title = "How well overload of the Top layer is noticed";
+    let axes = Axes::new(
+        title,
+        "false alarms, share of clean events",
+        "hits, share of noisy events",
+    );
+    roc(&axes.caption(caption), &curves)
 }
 
-fn controls(trials: &[Trial]) -> Result<Picture, FigureError> {
+fn controls(of_all: &str, trials: &[Trial]) -> Result<Picture, FigureError> {
     let bar = |label: &str, network: fn(&Trial) -> &super::measure::Causality| {
         let ratios: Vec<f64> = trials
             .iter()
@@ -242,15 +257,16 @@ fn controls(trials: &[Trial]) -> Result<Picture, FigureError> {
     };
     let bars = [
         bar("Direct 85 %", |r| &r.trained).beside(9.66 / 5.38),
-        bar("staged", |r| &r.staged),
-        bar("equal", |r| &r.uniform),
+        bar("the same, in stages", |r| &r.staged),
+        bar("all equally often", |r| &r.uniform),
         bar("Delay 85 %", |r| &r.mostly_delay),
         bar("untrained", |r| &r.untrained),
     ];
-    let axes = Axes::new(
-        "What is special follows frequency (line: the book)",
-        "",
-        "Direct–Delay+Gap over Delay–Gap, mean ± sd",
+    let caption = format!(
+        "{of_all}; book: 4 runs. Bars: mean of the ratios; error bars: standard deviation. Above 1: \
+         Direct is further from Delay+Gap than Delay from Gap.",
     );
-    bar_chart(&axes, &bars)
+    let title = "Claim: what is special follows what is frequent, not what is causal";
+    let axes = Axes::new(title, "", "Direct – Delay+Gap over Delay – Gap").caption(caption);
+    bar_chart(&axes.sized(860, 440), ["ours", "book"], &bars)
 }

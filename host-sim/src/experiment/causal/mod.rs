@@ -56,7 +56,7 @@ impl Experiment for Causal {
     /// Figures of single networks show the first seed.
     fn judge(options: &CausalOptions, trials: &[Trial]) -> Result<Results, Failure> {
         let mut results = Results::new(claims::summary(options, trials));
-        for (name, picture) in figures::all(trials)? {
+        for (name, picture) in figures::all(options, trials)? {
             results = results.picture(name, picture);
         }
         Ok(results)

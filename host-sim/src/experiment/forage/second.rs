@@ -13,7 +13,7 @@ use cla_core::num::Rng;
 use serde::{Deserialize, Serialize};
 
 use super::bench::{Bench, Captures, fresh};
-use super::options::ForageOptions;
+use super::options::{ForageOptions, SNAPSHOT};
 use crate::failure::Failure;
 use crate::learner::live;
 use crate::world::config::AfterCapture;
@@ -109,19 +109,48 @@ pub(super) fn compare(
     young: &Brain,
     world: &WorldOptions,
 ) -> Result<(Pair, Insight), Failure> {
-    let level1 = grown(bench, young, level1_alone(bench.options), world)?;
     let level2 = grown(bench, young, with_level2(bench.options), world)?;
+    compared(bench, young, &level2, world)
+}
+
+/// As [`compare`]; also tests of both levels after each thousand actions of the second half, with
+/// the young brain's first, and the reliabilities of the level-2 schemas at its end.
+///
+/// # Errors
+/// As [`compare`].
+pub(super) fn watched(
+    bench: &Bench<'_>,
+    young: &Brain,
+    world: &WorldOptions,
+) -> Result<(Pair, Insight, Vec<Captures>, Vec<f64>), Failure> {
+    let mut snapshots = Vec::new();
+    let look = |brain: &Brain| {
+        snapshots.push(bench.test(brain, world)?);
+        Ok(())
+    };
+    let level2 = grown_and(bench, young, with_level2(bench.options), world, look)?;
+    let (pair, insight) = compared(bench, young, &level2, world)?;
+    Ok((pair, insight, snapshots, hindsight_reliabilities(&level2)))
+}
+
+fn compared(
+    bench: &Bench<'_>,
+    young: &Brain,
+    level2: &Brain,
+    world: &WorldOptions,
+) -> Result<(Pair, Insight), Failure> {
+    let level1 = grown(bench, young, level1_alone(bench.options), world)?;
     let second = level2.second_level();
     let insight = Insight {
         prospective: f64::from(second.predictions().value(Estimate::Plain)),
-        hindsight: hindsight_reliability(&level2),
-        hindsight_damaged: damaged_reliability(bench, &level2, world)?,
+        hindsight: hindsight_reliability(level2),
+        hindsight_damaged: damaged_reliability(bench, level2, world)?,
         items: f64::from(second.items()),
         beliefs: second.beliefs().len() as f64,
     };
     let pair = Pair {
         level1: bench.test(&level1, world)?,
-        level2: bench.test(&level2, world)?,
+        level2: bench.test(level2, world)?,
     };
     Ok((pair, insight))
 }
@@ -150,10 +179,25 @@ fn grown(
     config: AgentConfig,
     world: &WorldOptions,
 ) -> Result<Box<Brain>, Failure> {
+    grown_and(bench, young, config, world, |_| Ok(()))
+}
+
+/// As [`grown`], looked at before the first and after each thousand actions.
+fn grown_and(
+    bench: &Bench<'_>,
+    young: &Brain,
+    config: AgentConfig,
+    world: &WorldOptions,
+    mut look: impl FnMut(&Brain) -> Result<(), Failure>,
+) -> Result<Box<Brain>, Failure> {
     let mut brain = Box::new(young.clone());
+    look(&brain)?;
     brain.reconfigure(config)?;
     let mut world = world.build(Rng::stream(bench.seed, 4).next_seed())?;
-    bench.live(&mut brain, &mut world, bench.options.actions)?;
+    for _ in 0..bench.options.actions / SNAPSHOT {
+        bench.live(&mut brain, &mut world, SNAPSHOT)?;
+        look(&brain)?;
+    }
     Ok(brain)
 }
 
@@ -169,8 +213,15 @@ const ON: f32 = 0.9;
 /// Its own item is in the context, labelled in hindsight, so its primitive result comes by
 /// definition; what can fail are the synthetic items of the result.
 fn hindsight_reliability(brain: &Brain) -> f64 {
+    let all = hindsight_reliabilities(brain);
+    let sum = all.iter().fold(0.0, |sum, reliability| sum + reliability);
+    sum / f64::from(all.len().max(1) as u32)
+}
+
+/// Those of which [`hindsight_reliability`] is the mean.
+fn hindsight_reliabilities(brain: &Brain) -> Vec<f64> {
     let (second, knowledge) = (brain.second_level(), brain.knowledge());
-    let (mut sum, mut schemas) = (0.0, 0_u32);
+    let mut all = Vec::new();
     for schema in knowledge.schemas() {
         let Some(trace) = schema.synthetic().filter(|&item| second.uses(item) > 0.0) else {
             continue;
@@ -184,8 +235,7 @@ fn hindsight_reliability(brain: &Brain) -> f64 {
                 reliability = reliability.min(f64::from(belief.on / tried));
             }
         }
-        sum += reliability;
-        schemas += 1;
+        all.push(reliability);
     }
-    sum / f64::from(schemas.max(1))
+    all
 }

@@ -43,6 +43,8 @@ pub struct Found {
 pub struct Trial {
     /// Tests of the knowledge after 0, 1000, 2000 … actions of training.
     pub snapshots: Vec<Captures>,
+    /// The same of both levels, after 0, 1000, 2000 … actions of the second half of training.
+    pub snapshots_level2: Vec<Captures>,
     /// Actions of training when the first schema promised `ingrip`; `None` when none did.
     pub first_ingrip: Option<u32>,
     /// Captures while training.
@@ -81,6 +83,8 @@ pub struct Trial {
     pub mean_reliability: f64,
     /// Reliability of each schema.
     pub reliabilities: Vec<f64>,
+    /// Reliability of each level-2 schema in the book's way: labelled in hindsight.
+    pub reliabilities_level2: Vec<f64>,
     /// The schemas, the most tried first.
     pub found: Vec<Found>,
     /// What the worst step of all these brains would have cost; the one harvested from maps apart.
@@ -90,7 +94,7 @@ pub struct Trial {
 /// How many actions one seed takes, for the progress bar.
 #[must_use]
 pub(super) fn work(options: &ForageOptions) -> u64 {
-    let tests = u64::from(options.actions / SNAPSHOT + 1) + 7 + 6 + 3 + 2;
+    let tests = 2 * u64::from(options.actions / SNAPSHOT + 1) + 7 + 6 + 3 + 2;
     u64::from(options.actions) * 21 + tests * 2 * u64::from(options.test_actions)
 }
 
@@ -120,7 +124,8 @@ pub(super) fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result
             snapshots.push(bench.test(&brain, &options.world)?);
         }
     }
-    let (second, insight) = second::compare(&bench, &brain, &options.world)?;
+    let (second, insight, snapshots_level2, reliabilities_level2) =
+        second::watched(&bench, &brain, &options.world)?;
     let apart = second::apart(&bench, &brain, &options.world)?;
     brain.harvest();
     brain.knowledge_mut().defer_values(&options.brain.values);
@@ -159,6 +164,8 @@ pub(super) fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result
     let (second_large, _) = second::compare(&bench, &in_the_large, &large)?;
     Ok(Trial {
         snapshots,
+        snapshots_level2,
+        reliabilities_level2,
         second,
         insight,
         apart,

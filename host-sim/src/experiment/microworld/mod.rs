@@ -67,7 +67,7 @@ impl Experiment for Chapter5 {
 
     fn judge(options: &MicroworldOptions, trials: &[Trial]) -> Result<Results, Failure> {
         let mut results = Results::new(claims::summary(options, trials));
-        for (name, picture) in figures::all(trials)? {
+        for (name, picture) in figures::all(options, trials)? {
             results = results.picture(name, picture);
         }
         Ok(results)

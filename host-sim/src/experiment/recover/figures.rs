@@ -1,13 +1,14 @@
-//! The figures of the recovery experiment: curves over both parts of a life, bars, histograms.
+//! The figures of the recovery experiment: courses of lives, and the book's Figs 6.6, 6.8 and 6.9.
 
 use super::life::Course;
 use super::options::RecoverOptions;
 use super::trial::{Entrant, Lived, Trial, entrants};
 use crate::learner::STRIDE;
 use crate::report::figure::{
-    Axes, Bar, FigureError, Line, Mark, Picture, Point, bar_chart, histogram, line_chart,
+    Axes, Bar, FigureError, Line, Panel, Picture, Point, Row, bar_chart, histogram, panels,
+    row_chart,
 };
-use crate::report::mean;
+use crate::report::{mean, sample};
 use crate::world::damage::Damage;
 
 /// Everything that is drawn, with the names of the files.
@@ -18,14 +19,16 @@ pub(super) fn all(
     let mut pictures = Vec::new();
     for (index, damage) in options.damages.iter().enumerate() {
         let of = Lived { trials, index };
-        pictures.push((format!("curve-{}", damage.id()), curve(&of, damage)?));
+        let mut push = |name: &str, picture| pictures.push((name.to_owned(), picture));
+        push(
+            &format!("curve-{}", damage.id()),
+            curve(&of, options, damage)?,
+        );
         if *damage == Damage::Camera(12.0) {
-            pictures.push(("reliability-bars".to_owned(), reliability_bars(&of)?));
-            pictures.push(("performance-bars".to_owned(), performance_bars(&of)?));
-            for (place, when) in [(0, "before"), (1, "after")] {
-                let name = format!("reliability-histogram-{when}");
-                pictures.push((name, reliabilities(&of, place, when)?));
-            }
+            push("performance", performance(&of, options)?);
+            push("performance-bars", performance_bars(&of, options)?);
+            push("reliability-bars", reliability_bars(&of, options)?);
+            push("reliability-histogram", reliabilities(&of, options)?);
         }
     }
     Ok(pictures)
@@ -47,125 +50,163 @@ fn thousands(course: &Course) -> Vec<(f64, f64)> {
         .collect()
 }
 
-fn curve(of: &Lived<'_>, damage: &Damage) -> Result<Picture, FigureError> {
-    let mut lines = Vec::new();
-    let mut most = 0.0_f64;
-    // Everybody at once is a thicket: variants stand in the table.
-    let drawn = entrants(damage).iter().filter(|who| {
-        !matches!(
-            who,
-            Entrant::SarsaHistory
-                | Entrant::QHistory
-                | Entrant::Sector
-                | Entrant::Frozen
-                | Entrant::BothPlain
-                | Entrant::BothMean
-                | Entrant::Plain
-                | Entrant::BothValue
-        )
-    });
-    let mut span = (0.0, 0.0);
-    for &who in drawn {
+/// Everybody's course in a chart of its own, beside that of both levels.
+fn curve(
+    of: &Lived<'_>,
+    options: &RecoverOptions,
+    damage: &Damage,
+) -> Result<Picture, FigureError> {
+    let line = |who: Entrant| -> Option<Line> {
         let courses: Vec<Vec<(f64, f64)>> = of
             .trials
             .iter()
             .filter_map(|trial| trial.course(of.index, who))
             .map(thousands)
             .collect();
-        let Some(first) = courses.first() else {
-            continue;
-        };
-        let points: Vec<Point> = (0..first.len())
-            .map(|place| {
-                let at = |course: &Vec<(f64, f64)>| course.get(place).map(|point| point.1);
-                let seeds: Vec<f64> = courses.iter().filter_map(at).collect();
-                Point::mean_of(first[place].0, &seeds)
+        let first = courses.first()?;
+        let points = (0..first.len()).map(|place| {
+            let at = |course: &Vec<(f64, f64)>| course.get(place).map(|point| point.1);
+            let seeds: Vec<f64> = courses.iter().filter_map(at).collect();
+            Point::mean_of(first[place].0, &seeds).of_count()
+        });
+        Some(Line::new(who.name(), points.collect()))
+    };
+    let ours = line(Entrant::Both);
+    let charts: Vec<Panel> = entrants(damage)
+        .iter()
+        // The others vary one of these; their numbers stand in the table.
+        .filter(|who| DRAWN.contains(who))
+        .filter_map(|&who| {
+            let early = of.captures(who, 0, 3);
+            Some(Panel {
+                subject: line(who)?,
+                note: format!("{:.0} in the first 3000 damaged", mean(&early)),
+                context: ours.clone().filter(|_| who != Entrant::Both),
             })
-            .collect();
-        for point in &points {
-            most = most.max(point.y);
-            span = (point.x.min(span.0), point.x.max(span.1));
-        }
-        lines.push(Line::new(who.name(), points));
-    }
-    let top = (most * 1.15).max(1.0);
-    let knock = [(0.0, 0.0), (0.0, top)].map(|(x, y)| Point::at(x, y));
-    lines.push(Line {
-        label: "damage".to_owned(),
-        points: knock.to_vec(),
-        mark: Mark::Dashed,
-    });
-    let title = format!("Damage {damage}: what is collected before and after it");
+        })
+        .collect();
+    let title = format!(
+        "Claim: with both levels and surprise captures come back after the damage {damage}"
+    );
+    let caption = format!(
+        "{}. Line: mean; band: 95 % interval of the mean, from seed to seed. Each point is 1000 \
+         actions; the damage comes at 0. {}.",
+        sample(&options.seeds),
+        options.world.words(),
+    );
     let axes = Axes::new(
         &title,
         "actions since the damage",
         "captures in 1000 actions",
     );
-    line_chart(
-        &axes
-            .x(span.0 - 500.0, span.1 + 500.0)
-            .y(0.0, top)
-            .sized(1080, 520),
-        &lines,
-    )
+    let axes = axes.caption(caption);
+    let rows = charts.len().div_ceil(COLUMNS) as u32;
+    let axes = axes.sized(960, 90 + 250 * rows);
+    let most = charts.iter().flat_map(|it| &it.subject.points);
+    let most = most.map(|it| it.band.map_or(it.y, |(_, high)| high));
+    let top = most.fold(1.0, f64::max) * 1.05;
+    panels(&axes.y(0.0, top), COLUMNS, &charts, Some((0.0, "damage")))
 }
 
-fn reliability_bars(of: &Lived<'_>) -> Result<Picture, FigureError> {
-    let bars = [(0, "before", 0.405), (1, "after", 0.348)].map(|(place, when, book)| {
-        let seeds = of.of(Entrant::Reliabilities, |it| mean(&it.reliabilities[place]));
-        Bar::mean_of(&format!("level 1 {when}"), &seeds).beside(book)
-    });
-    let second = [(0, "before", 0.721), (1, "after", 0.446)].map(|(place, when, book)| {
-        let seeds = of.of(Entrant::Both, |it| it.predictions[place]);
-        Bar::mean_of(&format!("level 2 {when}"), &seeds).beside(book)
-    });
-    let title = "Mean reliability before and after the damage (Fig 6.5, 6.9)";
-    let axes = Axes::new(
-        title,
-        "level 1: reliabilities only; level 2: predictions that came true; strokes: the book",
-        "reliability",
-    );
-    let bars: Vec<Bar> = bars.into_iter().chain(second).collect();
-    bar_chart(&axes.y(0.0, 0.8).sized(900, 480), &bars)
-}
+/// Charts in a row.
+const COLUMNS: usize = 4;
 
-fn performance_bars(of: &Lived<'_>) -> Result<Picture, FigureError> {
-    let whole = |who| of.of(who, |it| 3.0 * it.rate_before());
-    let mut bars = vec![
-        Bar::mean_of("level 1, undamaged", &whole(Entrant::Reliabilities)),
-        Bar::mean_of("two levels, undamaged", &whole(Entrant::Both)),
+/// Whose courses are drawn.
+const DRAWN: [Entrant; 8] = [
+    Entrant::Both,
+    Entrant::Surprise,
+    Entrant::Plain,
+    Entrant::Reliabilities,
+    Entrant::Sarsa,
+    Entrant::Q,
+    Entrant::Told,
+    Entrant::Random,
+];
+
+fn reliability_bars(of: &Lived<'_>, options: &RecoverOptions) -> Result<Picture, FigureError> {
+    let level1 = |place: usize| of.of(Entrant::Reliabilities, |it| mean(&it.reliabilities[place]));
+    let level2 = |place: usize| of.of(Entrant::Both, |it| it.predictions[place]);
+    let bars = [
+        Bar::mean_of("level 1 before", &level1(0)).beside_with(0.405, 0.010),
+        Bar::mean_of("level 1 after", &level1(1)).beside_with(0.348, 0.048),
+        Bar::mean_of("level 2 before", &level2(0)).beside_with(0.721, 0.074),
+        Bar::mean_of("level 2 after", &level2(1)).beside_with(0.446, 0.032),
     ];
-    for (label, who, from, to) in [
-        ("frozen", Entrant::Frozen, 0, 3),
-        ("reliabilities, 0-3k", Entrant::Reliabilities, 0, 3),
-        ("reliabilities, 10-13k", Entrant::Reliabilities, 10, 13),
-        ("re-learning, 0-3k", Entrant::Plain, 0, 3),
-        ("re-learning, 10-13k", Entrant::Plain, 10, 13),
-        ("surprise, 0-3k", Entrant::Surprise, 0, 3),
-        ("surprise, 10-13k", Entrant::Surprise, 10, 13),
-        ("two levels, 0-3k", Entrant::Both, 0, 3),
-        ("two levels, 10-13k", Entrant::Both, 10, 13),
-        ("Sarsa(λ), 0-3k", Entrant::Sarsa, 0, 3),
-        ("Sarsa(λ), 10-13k", Entrant::Sarsa, 10, 13),
-    ] {
-        let seeds = of.of(who, |it| it.captures(from, to));
-        bars.push(Bar::mean_of(label, &seeds));
-    }
-    let title = "Performance after the damage (Fig 6.8, with replacement)";
-    bar_chart(
-        &Axes::new(title, "", "captures in 3000 actions").sized(900, 560),
-        &bars,
-    )
+    let caption = format!(
+        "{}; book: 10 runs. Bars: mean; error bars: standard deviation. Level 1: mean reliability \
+         of its schemas, reliabilities alone adapt. Level 2, ours: share of its predictions, said \
+         before each action, that came true; the book counts in hindsight (.721 is what fits its t; \
+         its text prints .886). {}.",
+        sample(&options.seeds),
+        options.world.words(),
+    );
+    let title = "Reliability before and after the camera was turned by 12° (Fig 6.9)";
+    let axes = Axes::new(title, "", "mean reliability").caption(caption);
+    bar_chart(&axes.y(0.0, 1.0).sized(860, 460), ["ours", "book"], &bars)
 }
 
-fn reliabilities(of: &Lived<'_>, place: usize, when: &str) -> Result<Picture, FigureError> {
+/// In the book's own unit, captures of 28.
+fn performance_bars(of: &Lived<'_>, options: &RecoverOptions) -> Result<Picture, FigureError> {
+    let removed = |place: usize| -> Vec<f64> {
+        let of = of.trials.iter();
+        of.map(|it| f64::from(it.removed[place])).collect()
+    };
+    let bars = [
+        Bar::new("level 1, undamaged", f64::NAN).beside_with(20.4, 1.53),
+        Bar::new("both levels, undamaged", f64::NAN).beside_with(22.9, 1.19),
+        Bar::mean_of("damaged, frozen", &removed(0)).beside_with(1.6, 0.84),
+        Bar::mean_of("damaged, reliabilities adapted", &removed(1)).beside_with(17.4, 3.37),
+    ];
+    let caption = format!(
+        "{}; book: 10 runs. Bars: mean; error bars: standard deviation. Captures of 28 in 3000 \
+         actions, specimens that are taken are gone; ours is level 1. Undamaged robots of ours \
+         are measured by `forage`. {}.",
+        sample(&options.seeds),
+        options.world.words(),
+    );
+    let title = "Captures before and after the camera was turned by 12° (Fig 6.8)";
+    let axes = Axes::new(title, "", "captures of 28").caption(caption);
+    bar_chart(&axes.y(0.0, 32.0).sized(860, 460), ["ours", "book"], &bars)
+}
+
+/// The same with specimens that reappear, so that nothing saturates, and everybody.
+fn performance(of: &Lived<'_>, options: &RecoverOptions) -> Result<Picture, FigureError> {
+    let rows: Vec<Row> = Entrant::ALL
+        .iter()
+        .map(|&who| {
+            let whole = of.of(who, |it| 3.0 * it.rate_before());
+            let parts = [whole, of.captures(who, 0, 3), of.captures(who, 10, 13)];
+            Row::means_of(who.name(), &parts)
+        })
+        .collect();
+    let caption = format!(
+        "{}. Marks: mean; bars: 95 % interval of the mean, from seed to seed. Specimens that are \
+         taken reappear elsewhere. {}.",
+        sample(&options.seeds),
+        options.world.words(),
+    );
+    let title = "What everybody collects after the camera was turned by 12°";
+    let axes = Axes::new(title, "captures in 3000 actions", "").caption(caption);
+    let series = ["undamaged", "damaged, 0–3000", "damaged, 10,000–13,000"];
+    row_chart(&axes.sized(900, 760), &series, &rows)
+}
+
+fn reliabilities(of: &Lived<'_>, options: &RecoverOptions) -> Result<Picture, FigureError> {
     let first = of.trials.first();
     let course = first.and_then(|trial| trial.course(of.index, Entrant::Reliabilities));
-    let values = course.map_or(&[][..], |course| &course.reliabilities[place]);
-    let title = format!("Reliability of level 1 {when} the damage, first seed (Fig 6.6)");
-    histogram(
-        &Axes::new(&title, "reliability", "schemas").x(0.0, 1.0),
-        values,
-        20,
-    )
+    let at = |place: usize| course.map_or(&[][..], |course| &course.reliabilities[place]);
+    let seed = options
+        .seeds
+        .first()
+        .map_or_else(String::new, u64::to_string);
+    let caption = format!(
+        "n = 1 (seed {seed}, the first). All schemas of level 1 of the robot whose reliabilities \
+         alone adapt, when the damage came and {} actions later. {}.",
+        options.protocol.after,
+        options.world.words(),
+    );
+    let title = "Reliabilities of level 1 before and after the damage (as Fig 6.6)";
+    let axes = Axes::new(title, "reliability", "schemas").caption(caption);
+    let samples = [("before", at(0)), ("after", at(1))];
+    histogram(&axes.x(0.0, 1.0).sized(860, 440), &samples, 20)
 }

@@ -3,7 +3,8 @@
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{FigureError, LABEL, Picture, SMALL, TITLE, palette, picture};
+use super::text::{Pen, leading, wrapped};
+use super::{Axes, FigureError, LABEL, MARGIN, Picture, SMALL, TITLE, palette, picture};
 
 /// One board: its rows from the top, a mark a cell.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,23 +27,24 @@ impl Board {
     }
 }
 
-/// Pairs of boards, the second beside the first, in rows of `columns` pairs; `legend` lies below.
+/// Pairs of boards, the second beside the first, in rows of `columns` pairs; the size follows from
+/// the boards.
 ///
 /// # Errors
 /// [`FigureError`] without a pair or a column.
 ///
 /// ```
-/// use host_sim::report::figure::{Board, board_pairs};
+/// use host_sim::report::figure::{Axes, Board, board_pairs};
 /// let pair = [Board::new("handl", "o .\n. h"), Board::new("believed", "o ?\n. .")];
-/// let picture = board_pairs("Where the ball is", 4, &[pair], "h hand, o ball")?;
+/// let axes = Axes::new("Where the ball is", "", "").caption("h hand, o ball");
+/// let picture = board_pairs(&axes, 4, &[pair])?;
 /// assert!(picture.svg.contains("believed"));
 /// # Ok::<(), host_sim::report::figure::FigureError>(())
 /// ```
 pub fn board_pairs(
-    title: &str,
+    axes: &Axes,
     columns: usize,
     pairs: &[[Board; 2]],
-    legend: &str,
 ) -> Result<Picture, FigureError> {
     let boards = || pairs.iter().flatten();
     let wide = boards().flat_map(|it| &it.rows).map(Vec::len).max();
@@ -52,31 +54,23 @@ pub fn board_pairs(
         return Err(FigureError("no boards".to_owned()));
     };
     let board = (wide as i32 * SIDE, tall as i32 * SIDE);
-    let pair = (2 * board.0 + GAP + MARGIN, board.1 + CAPTION + MARGIN);
+    let pair = (2 * board.0 + GAP + 2 * MARGIN, board.1 + HEAD + MARGIN);
     let rows = pairs.len().div_ceil(columns) as i32;
-    let letters = title.chars().count() as i32 * 12;
-    let letters = letters.max(legend.chars().count() as i32 * 8);
-    let size = (
-        (MARGIN + columns as i32 * pair.0).max(letters + 2 * MARGIN),
-        HEAD + rows * pair.1 + HEAD,
-    );
-    picture((size.0 as u32, size.1 as u32), |page| {
-        let centred = Pos::new(HPos::Center, VPos::Top);
-        let write = |text: &str, size: i32, at: (i32, i32)| {
-            let style = TextStyle::from(("sans-serif", size).into_font());
-            page.draw_text(text, &style.pos(centred), at)
-        };
-        write(title, TITLE, (size.0 / 2, 12))?;
-        write(legend, SMALL, (size.0 / 2, size.1 - HEAD + 12))?;
+    let width = (columns as i32 * pair.0).max(560);
+    let lines = wrapped(&axes.title, TITLE, width - 2 * MARGIN).len().max(1) as i32;
+    let height = 2 * MARGIN + lines * leading(TITLE) + rows * pair.1;
+    let axes = axes.clone().sized(width as u32, height as u32);
+    picture(&axes, |page, area| {
         for (index, boards) in pairs.iter().enumerate() {
             let corner = (
-                MARGIN + (index % columns) as i32 * pair.0,
-                HEAD + (index / columns) as i32 * pair.1,
+                area.left + (index % columns) as i32 * pair.0,
+                area.top + (index / columns) as i32 * pair.1,
             );
             for (which, it) in boards.iter().enumerate() {
                 let left = corner.0 + which as i32 * (board.0 + GAP);
-                write(&it.title, SMALL, (left + board.0 / 2, corner.1))?;
-                draw(page, it, (left, corner.1 + CAPTION))?;
+                let title = wrapped(&it.title, SMALL, board.0 + GAP);
+                Pen::new(SMALL).lines(page, &title, (left, corner.1))?;
+                draw(page, it, (left, corner.1 + HEAD))?;
             }
         }
         Ok(())
@@ -84,10 +78,9 @@ pub fn board_pairs(
 }
 
 const SIDE: i32 = 26;
-const GAP: i32 = 14;
-const MARGIN: i32 = 32;
-const CAPTION: i32 = 20;
-const HEAD: i32 = 44;
+const GAP: i32 = 20;
+/// Two lines above each board.
+const HEAD: i32 = 2 * leading(SMALL) + 4;
 
 fn draw(page: &super::Canvas<'_>, board: &Board, corner: (i32, i32)) -> super::Drawing {
     for (y, row) in board.rows.iter().enumerate() {
@@ -117,12 +110,13 @@ fn draw(page: &super::Canvas<'_>, board: &Board, corner: (i32, i32)) -> super::D
 
 #[cfg(test)]
 mod tests {
-    use super::{Board, board_pairs};
+    use super::{Axes, Board, board_pairs};
 
     #[test]
     fn no_boards_make_an_error_and_no_panic() {
-        assert!(board_pairs("none", 4, &[], "").is_err());
+        let axes = Axes::new("none", "", "");
+        assert!(board_pairs(&axes, 4, &[]).is_err());
         let empty = [Board::new("", ""), Board::new("", "")];
-        assert!(board_pairs("empty", 4, &[empty], "").is_err());
+        assert!(board_pairs(&axes, 4, &[empty]).is_err());
     }
 }

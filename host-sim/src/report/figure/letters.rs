@@ -70,6 +70,11 @@ impl Letters {
         outline
     }
 
+    /// The width of a line of text, in ems.
+    pub(super) fn ems(&self, text: &str) -> f64 {
+        self.set(text).1 / f64::from(self.font.units_per_em().unwrap_or(1000.0))
+    }
+
     /// Each letter with its distance from the start, and the width of them all, units of the font.
     fn set(&self, text: &str) -> (Vec<(GlyphId, f64)>, f64) {
         let mut glyphs = Vec::new();

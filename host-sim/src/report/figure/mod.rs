@@ -1,40 +1,64 @@
-//! Figures: drawn once, as SVG and as PNG.
+//! Figures: drawn once, as SVG and as PNG, to be read on a printed page.
 //!
-//! Every stroke goes into both (`page`), and the font is compiled in: a machine without
+//! Above a figure stands what it shows, below it what was measured: n, seeds, what a band or an
+//! error bar is, the world.
+//! Every stroke goes into both formats (`page`), and the font is compiled in: a machine without
 //! fonts makes the same picture to the last pixel.
-//! Colours are Okabe and Ito's, which colour-blind readers tell apart.
+//! Colours are Okabe and Ito's, which colour-blind readers tell apart; dashes, marks and hatching
+//! tell the same apart in grey.
 
 mod bars;
 mod boards;
 mod heat;
+mod histogram;
 mod letters;
 mod lines;
 mod outline;
 mod page;
 mod palette;
+mod panels;
+mod plot;
 mod png;
+mod point;
 mod raster;
+mod rows;
+mod scale;
+mod strokes;
+mod text;
 
 use std::sync::Once;
 use std::{error, fmt};
 
-use plotters::coord::Shift;
-use plotters::prelude::{DrawingArea, IntoDrawingArea};
+use plotters::prelude::IntoDrawingArea;
 use plotters::style::{FontStyle, WHITE, register_font};
 
-pub use bars::{Bar, bar_chart, histogram};
+use text::{Canvas, Drawing, Pen, leading, wrapped};
+
+pub use bars::{Bar, bar_chart, bar_charts};
 pub use boards::{Board, board_pairs};
 pub use heat::{HeatMap, heat_maps};
-pub use lines::{Line, Mark, Point, Span, line_chart, roc};
+pub use histogram::histogram;
+pub use lines::{Line, Mark, Span, line_chart, roc};
+pub use panels::{Panel, panels};
+pub use point::Point;
+pub use rows::{Row, Value, row_chart};
 
 /// Sizes of letters, in units of the SVG.
 const TITLE: i32 = 20;
-const LABEL: i32 = 15;
-const SMALL: i32 = 13;
+const LABEL: i32 = 16;
+const SMALL: i32 = 14;
+const CAPTION: i32 = 13;
 
-/// A finished figure in both formats.
+/// From the edge of the page to what is drawn.
+const MARGIN: i32 = 16;
+
+/// A finished figure in both formats, with its words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
+    /// What it shows.
+    pub title: String,
+    /// What was measured, and how.
+    pub caption: String,
     /// The text of an SVG file.
     pub svg: String,
     /// The bytes of a PNG file, two pixels to one unit of the SVG.
@@ -53,7 +77,7 @@ impl fmt::Display for FigureError {
 
 impl error::Error for FigureError {}
 
-/// Title, labels and ranges of a chart; a range that is not given fits the data.
+/// The words around a chart and its ranges; a range that is not given fits the data.
 ///
 /// ```
 /// use host_sim::report::figure::Axes;
@@ -62,17 +86,23 @@ impl error::Error for FigureError {}
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
-    /// Above the chart.
+    /// Above the chart: what it shows.
     pub title: String,
+    /// Below it: n, seeds, what the band is, the world.
+    pub caption: String,
     /// Below the horizontal axis.
     pub x_label: String,
-    /// Beside the vertical axis.
+    /// Above the vertical axis.
     pub y_label: String,
     /// The horizontal range.
     pub x_range: Option<(f64, f64)>,
     /// The vertical range.
     pub y_range: Option<(f64, f64)>,
-    /// Width and height in units of the SVG.
+    /// Whether equal horizontal distances are equal factors.
+    pub x_log: bool,
+    /// Whether equal vertical distances are equal factors.
+    pub y_log: bool,
+    /// Width and height in units of the SVG; the caption comes on top of it.
     pub size: (u32, u32),
 }
 
@@ -82,12 +112,22 @@ impl Axes {
     pub fn new(title: &str, x_label: &str, y_label: &str) -> Self {
         Self {
             title: title.to_owned(),
+            caption: String::new(),
             x_label: x_label.to_owned(),
             y_label: y_label.to_owned(),
             x_range: None,
             y_range: None,
+            x_log: false,
+            y_log: false,
             size: (800, 480),
         }
+    }
+
+    /// Says below the chart what was measured.
+    #[must_use]
+    pub fn caption(mut self, caption: impl Into<String>) -> Self {
+        self.caption = caption.into();
+        self
     }
 
     /// Fixes the horizontal range.
@@ -104,6 +144,20 @@ impl Axes {
         self
     }
 
+    /// Makes equal horizontal distances equal factors.
+    #[must_use]
+    pub const fn x_log(mut self) -> Self {
+        self.x_log = true;
+        self
+    }
+
+    /// Makes equal vertical distances equal factors.
+    #[must_use]
+    pub const fn y_log(mut self) -> Self {
+        self.y_log = true;
+        self
+    }
+
     /// Sets width and height in units of the SVG.
     #[must_use]
     pub const fn sized(mut self, width: u32, height: u32) -> Self {
@@ -112,26 +166,65 @@ impl Axes {
     }
 }
 
-type Canvas<'a> = DrawingArea<page::Page<'a>, Shift>;
-type Drawing = Result<(), Box<dyn error::Error>>;
+/// A part of the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Area {
+    left: i32,
+    top: i32,
+    right: i32,
+    bottom: i32,
+}
 
-/// Runs a drawing on an empty page and makes both formats of it.
+impl Area {
+    const fn width(&self) -> i32 {
+        self.right - self.left
+    }
+
+    const fn height(&self) -> i32 {
+        self.bottom - self.top
+    }
+}
+
+/// Draws in the area between title and caption, and makes both formats of it.
 fn picture(
-    size: (u32, u32),
-    draw: impl FnOnce(&Canvas<'_>) -> Drawing,
+    axes: &Axes,
+    draw: impl FnOnce(&Canvas<'_>, Area) -> Drawing,
 ) -> Result<Picture, FigureError> {
     register_the_font();
+    let (width, height) = axes.size;
+    let room = width as i32 - 2 * MARGIN;
+    let title = wrapped(&axes.title, TITLE, room);
+    let caption = wrapped(&axes.caption, CAPTION, room);
+    let head = MARGIN + title.len().max(1) as i32 * leading(TITLE) + 4;
+    let foot = match caption.len() as i32 {
+        0 => 0,
+        lines => lines * leading(CAPTION) + 10,
+    };
+    let size = (width, height + foot as u32);
+    let area = Area {
+        left: MARGIN,
+        top: head,
+        right: width as i32 - MARGIN,
+        bottom: height as i32 - MARGIN / 2,
+    };
     let (mut svg, mut pixels) = (String::new(), page::pixels_for(size));
     let drawn: Drawing = (|| {
         let page = page::Page::new(&mut svg, &mut pixels, size).into_drawing_area();
         page.fill(&WHITE)?;
-        draw(&page)?;
+        Pen::new(TITLE).lines(&page, &title, (MARGIN, MARGIN))?;
+        draw(&page, area)?;
+        let below = (MARGIN, height as i32 + 2);
+        Pen::new(CAPTION).dim().lines(&page, &caption, below)?;
         page.present()?;
         Ok(())
     })();
     drawn.map_err(|error| FigureError(error.to_string()))?;
-    let png = png::encode(&pixels);
-    Ok(Picture { svg, png })
+    Ok(Picture {
+        title: axes.title.clone(),
+        caption: axes.caption.clone(),
+        svg,
+        png: png::encode(&pixels),
+    })
 }
 
 /// The layout of a chart measures its letters in this font.
@@ -141,16 +234,6 @@ fn register_the_font() {
         let font = register_font("sans-serif", FontStyle::Normal, dejavu::sans::regular());
         assert!(font.is_ok(), "the font that is compiled in can be read");
     });
-}
-
-/// A number on an axis, without the zeros that say nothing.
-fn tick(value: &f64) -> String {
-    let text = format!("{value:.6}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        return "0".to_owned();
-    }
-    text.to_owned()
 }
 
 /// The range of the finite values with some air around it; `None` without any.
@@ -202,10 +285,10 @@ mod tests {
             .filter(|&at| titled[at] != blank[at])
             .collect();
         assert!(changed.len() > 500, "{}", changed.len());
-        // Above the chart, in the middle of the page, black on white.
+        // Above the chart, from the left of the page, black on white.
         for at in changed {
             let (x, y) = (at % width, at / width);
-            assert!((200..600).contains(&x) && y < 80, "{x} {y}");
+            assert!((30..600).contains(&x) && y < 90, "{x} {y}");
             assert_eq!(titled[at][0], titled[at][2]);
         }
     }

@@ -1,4 +1,4 @@
-//! Colours: categories by Okabe and Ito, quantities by a ramp that also reads in grey.
+//! Colours: categories by Okabe and Ito, quantities by a ramp of one hue; both read in grey.
 
 use plotters::style::RGBColor;
 
@@ -15,17 +15,14 @@ const CATEGORIES: [RGBColor; 8] = [
     RGBColor(0x6B, 0x3F, 0x1D),
 ];
 
-/// Nine steps of viridis, dark to bright.
-const RAMP: [RGBColor; 9] = [
-    RGBColor(0x44, 0x01, 0x54),
-    RGBColor(0x48, 0x28, 0x78),
-    RGBColor(0x3E, 0x49, 0x89),
-    RGBColor(0x31, 0x68, 0x8E),
-    RGBColor(0x26, 0x82, 0x8E),
-    RGBColor(0x1F, 0x9E, 0x89),
-    RGBColor(0x35, 0xB7, 0x79),
-    RGBColor(0x6E, 0xCE, 0x58),
-    RGBColor(0xFD, 0xE7, 0x25),
+/// From paper to ink, in steps that look equal.
+const RAMP: [RGBColor; 6] = [
+    RGBColor(0xF7, 0xFB, 0xFF),
+    RGBColor(0xC6, 0xDB, 0xEF),
+    RGBColor(0x85, 0xBC, 0xDB),
+    RGBColor(0x3C, 0x88, 0xBE),
+    RGBColor(0x0B, 0x54, 0x9A),
+    RGBColor(0x04, 0x20, 0x48),
 ];
 
 /// The colour of the category with this index; they repeat after eight.
@@ -33,7 +30,7 @@ pub(super) fn category(index: usize) -> RGBColor {
     CATEGORIES[index % CATEGORIES.len()]
 }
 
-/// The colour of a share between 0 (dark) and 1 (bright); light grey when there is no value.
+/// The colour of a share between 0 (paper) and 1 (ink); grey when there is no value.
 pub(super) fn ramp(share: f64) -> RGBColor {
     if !share.is_finite() {
         return RGBColor(0xDD, 0xDD, 0xDD);
@@ -51,7 +48,7 @@ mod tests {
     use super::{RAMP, ramp};
 
     #[test]
-    fn the_ramp_grows_brighter_all_the_way() {
+    fn the_ramp_grows_darker_all_the_way() {
         let brightness = |share: f64| {
             let colour = ramp(share);
             0.2126 * f64::from(colour.0)
@@ -60,8 +57,8 @@ mod tests {
         };
         for step in 0..50 {
             let share = f64::from(step) / 50.0;
-            assert!(brightness(share) < brightness(share + 0.02), "{share}");
+            assert!(brightness(share) > brightness(share + 0.02), "{share}");
         }
-        assert_eq!((ramp(-1.0), ramp(2.0)), (RAMP[0], RAMP[8]));
+        assert_eq!((ramp(-1.0), ramp(2.0)), (RAMP[0], RAMP[5]));
     }
 }
