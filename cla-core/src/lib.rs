@@ -3,6 +3,7 @@
 #![doc = include_str!("../README.md")]
 //!
 //! The storeys, in the book's order; each knows only those before it:
+//! [`snapshot`] (images of brains) →
 //! [`num`] (arithmetic with the same bits everywhere) → [`som`] (self-organizing maps) →
 //! [`layer`] (maps joined into hierarchies, overload, fallback) and, beside it, sensorimotor schemas:
 //! [`word`] (items, actions, notation) → [`map`] (one for each action) → [`knowledge`] (the tables) →
@@ -45,6 +46,7 @@ pub mod level2;
 pub mod map;
 pub mod num;
 pub mod reason;
+pub mod snapshot;
 pub mod som;
 pub mod word;
 

@@ -3,6 +3,7 @@
 //! The book leaves this open (7.1.1); what follows an alarm is `doubt`.
 
 use crate::check::{Config, ConfigError, Range};
+use crate::snapshot::stored;
 
 /// When an agent is surprised, and what it does then.
 ///
@@ -127,6 +128,12 @@ impl Alarm {
     pub(crate) const fn weighs(&self) -> bool {
         self.doubt > 0 && self.doubt.is_multiple_of(EVERY)
     }
+}
+
+stored! { impl[] SurpriseConfig { missing, enough, doubt, optimism } }
+stored! {
+    impl[] Alarm { missing, usual, acted, doubt, alarms }
+    sound |it, _limits| it.missing >= 0.0 && it.usual >= 0.0 && it.usual < 1.1
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::check::{Checked, Config, ConfigError, Range, check_some};
 use crate::choice::{ChoiceRule, HabitConfig, ValueConfig};
 use crate::level2::Level2Config;
 use crate::map::{HarvestConfig, ResultCoding, TrainingConfig};
+use crate::snapshot::{Reader, Stored, Writer, stored};
 use crate::word::ItemId;
 
 /// How an agent learns and chooses.
@@ -195,4 +196,32 @@ pub(crate) fn check_values(values: &[(ItemId, f32)], items: usize) -> Result<(),
         }
     }
     Range::ABOVE_ZERO.check("values: the largest", most)
+}
+
+stored! {
+    impl[] AgentConfig {
+        training, harvest, coding, harvest_every, values, values_per_step, rule, forgetting,
+        greedy_share, training_run, surprise, escape, level2, habits
+    }
+    sound |it, _limits| it.check().is_ok()
+}
+stored! { impl[] Escape { after, burst } }
+impl Stored for Settings {
+    const BLANK: Self = Self::Absent;
+
+    fn store(&self, to: &mut Writer<'_>) {
+        match self {
+            Self::Absent => to.refuse(),
+            Self::Present(config) => config.store(to),
+        }
+    }
+
+    fn restore(&mut self, from: &mut Reader<'_>) {
+        let mut config = AgentConfig::BLANK;
+        config.restore(from);
+        match config.checked() {
+            Ok(config) => *self = Self::Present(config),
+            Err(_) => from.refuse(),
+        }
+    }
 }

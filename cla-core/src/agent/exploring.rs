@@ -2,6 +2,7 @@
 
 use super::config::{AgentConfig, Escape};
 use crate::num::Rng;
+use crate::snapshot::stored;
 
 /// Where it stands between value and chance; all zero at first.
 #[derive(Clone, Debug)]
@@ -62,3 +63,5 @@ impl Exploration {
         self.burst = 0;
     }
 }
+
+stored! { impl[] Exploration { since_reward, burst, run, random } }

@@ -31,7 +31,7 @@ pub(super) struct Faculties<
     pub(super) trail: Trail<WORDS>,
     pub(super) alarm: Alarm,
     /// Values of habits that have moved in this step.
-    practised: u32,
+    pub(super) practised: u32,
 }
 
 impl<

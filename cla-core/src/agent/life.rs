@@ -16,6 +16,7 @@ use crate::knowledge::{KnowledgeBase, SyntheticId};
 use crate::level2::SecondLevel;
 use crate::map::{ActionSomBank, Sample};
 use crate::num::Rng;
+use crate::snapshot::stored_codes;
 use crate::som::{BinarySom, Prototypes};
 use crate::word::{ActionId, Cost, ItemId, ItemStates};
 
@@ -68,18 +69,18 @@ pub struct Agent<
     const BELIEFS: usize = 0,
     M = BinarySom<WIDTH, HEIGHT, ITEMS>,
 > {
-    bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>,
-    faculties: Faculties<WORDS, ITEMS, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>,
-    exploration: Exploration,
-    config: Settings,
-    rng: Rng,
-    stage: Stage,
+    pub(super) bank: ActionSomBank<WIDTH, HEIGHT, ITEMS, ACTIONS, M>,
+    pub(super) faculties: Faculties<WORDS, ITEMS, ACTIONS, PATTERNS, SCHEMAS, SYNTHETIC, BELIEFS>,
+    pub(super) exploration: Exploration,
+    pub(super) config: Settings,
+    pub(super) rng: Rng,
+    pub(super) stage: Stage,
     /// What was so when an action was chosen that waits for its result.
-    context: ItemStates<WORDS>,
-    chosen: Option<ActionId>,
+    pub(super) context: ItemStates<WORDS>,
+    pub(super) chosen: Option<ActionId>,
     /// The trace at that choice: what is observed before its result comes may change it.
-    decided_after: Option<SyntheticId>,
-    since_harvest: u32,
+    pub(super) decided_after: Option<SyntheticId>,
+    pub(super) since_harvest: u32,
 }
 
 impl<
@@ -550,6 +551,14 @@ impl<
         Self::zeroed()
     }
 }
+
+stored_codes!(Stage {
+    0: (Self::Unborn),
+    1: (Self::Training),
+    2: (Self::Acting(Adaptation::Frozen)),
+    3: (Self::Acting(Adaptation::Reliabilities)),
+    4: (Self::Acting(Adaptation::Relearning)),
+});
 
 #[cfg(test)]
 #[path = "life_tests.rs"]

@@ -9,6 +9,7 @@
 mod config;
 mod exploring;
 mod faculties;
+mod image;
 mod life;
 mod step;
 mod trail;

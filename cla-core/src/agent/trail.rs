@@ -1,6 +1,7 @@
 //! The trail: which schema has just succeeded, and where that has led.
 
 use crate::knowledge::SyntheticId;
+use crate::snapshot::stored;
 use crate::word::ItemStates;
 
 /// The item of the schema that has succeeded last, and the state that it led to; all zero at first.
@@ -42,3 +43,5 @@ impl<const WORDS: usize> Trail<WORDS> {
         self.item = None;
     }
 }
+
+stored! { impl[const WORDS: usize] Trail<WORDS> { item, arrived } }

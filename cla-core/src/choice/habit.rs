@@ -9,6 +9,7 @@
 
 use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::SyntheticId;
+use crate::snapshot::{LARGEST, stored};
 use crate::word::{ActionId, ItemSet};
 
 /// How habits form, and how much they say.
@@ -193,7 +194,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
             let features = 1 + before.on.len() + u16::from(before.trace.is_some());
             let share = 1.0 / f32::from(features);
             let rate = if rate < share { rate } else { share };
-            if error.is_finite() {
+            if error.abs() <= LARGEST {
                 moved = self.spread(rate * error, config.discount * config.lambda);
             }
         }
@@ -262,6 +263,18 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
 {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+stored! { impl[] HabitConfig { weight, discount, lambda, learning_rate, doubting_rate } }
+stored! { impl[const WORDS: usize] Deed<WORDS> { on, trace, action } }
+stored! {
+    impl[const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHETIC: usize]
+    Habits<WORDS, ITEMS, ACTIONS, SYNTHETIC> {
+        always, items, traces, deeds,
+        newest if |it: &u8| usize::from(*it) < FELT,
+        count if |it: &u8| usize::from(*it) <= FELT,
+        reward
     }
 }
 

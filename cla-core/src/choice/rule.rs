@@ -2,6 +2,7 @@
 
 use super::value::ValueConfig;
 use crate::knowledge::{KnowledgeBase, Others, SchemaId};
+use crate::snapshot::stored_codes;
 use crate::word::{ActionId, ItemStates};
 
 /// By which rule the best action is found.
@@ -172,6 +173,11 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         best.map(|(_, schema)| schema)
     }
 }
+
+stored_codes!(ChoiceRule {
+    0: (Self::Lexicographic),
+    1: (Self::ExpectedValue)
+});
 
 #[cfg(test)]
 mod tests {

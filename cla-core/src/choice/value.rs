@@ -10,6 +10,7 @@ use core::fmt;
 
 use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::{Estimate, KnowledgeBase, Others, Schema};
+use crate::snapshot::{LARGEST, stored};
 use crate::word::{ItemId, ItemSet, ItemStates, SignedItems};
 
 /// How values spread from results to contexts.
@@ -315,6 +316,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                     best = appraisal.value;
                 }
             }
+            let best = if best < LARGEST { best } else { LARGEST };
             if let Some(pattern) = self.patterns.get_mut(index) {
                 pattern.value = best;
                 pattern.then = config.discount * best;
@@ -416,6 +418,10 @@ pub struct Appraisal {
 
 pub(crate) fn state_of<const WORDS: usize>(items: &SignedItems<WORDS>) -> ItemStates<WORDS> {
     ItemStates::from_sets(items.positive(), items.negative())
+}
+
+stored! {
+    impl[] ValueConfig { discount, chain_reliability, chain_relevance, chain_successes, estimate }
 }
 
 #[cfg(test)]

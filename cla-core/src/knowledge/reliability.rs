@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::snapshot::{stored, stored_codes};
+
 /// Which of the two estimates decides.
 ///
 /// ```
@@ -112,6 +114,21 @@ impl fmt::Display for Reliability {
         write!(f, "{} of {}", self.successes, self.activations)
     }
 }
+
+/// What rounding may add to a share.
+const ROUNDING: f32 = 1e-3;
+
+stored! {
+    impl[] Reliability { successes, activations, recent }
+    sound |it, _limits| it.successes <= it.activations
+        && it.recent >= -ROUNDING
+        && it.recent <= 1.0 + ROUNDING
+}
+
+stored_codes!(Estimate {
+    0: (Self::Plain),
+    1: (Self::Recent)
+});
 
 #[cfg(test)]
 mod tests {

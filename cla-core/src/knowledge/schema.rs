@@ -1,6 +1,7 @@
 //! A schema as it is stored: context / action / result by reference, and its trials (book, 5.1.1).
 
 use super::reliability::Reliability;
+use crate::snapshot::{stored, stored_as};
 use crate::word::ActionId;
 
 /// The index of a conjunction in a knowledge base.
@@ -108,4 +109,19 @@ impl Schema {
     pub(crate) fn set_synthetic(&mut self, item: Option<SyntheticId>) {
         self.item = item.map_or(NONE, |item| item.0);
     }
+}
+
+stored_as!(impl[] PatternId, below patterns);
+stored_as!(impl[] SchemaId, below schemas);
+stored_as!(impl[] SyntheticId, below synthetic);
+
+// Which schema is the next of its context is found again.
+stored! {
+    impl[] Schema { context, action, result, support, item, reliability, doubt; next: NONE }
+    counted schemas
+}
+
+stored! {
+    impl[] Doubt { old, hits, bonus }
+    sound |it, _limits| it.bonus >= 0.0
 }

@@ -5,6 +5,7 @@
 
 use super::reliability::{Estimate, Reliability};
 use super::schema::{NONE, PatternId, Schema, SchemaId};
+use crate::snapshot::stored;
 use crate::word::{ActionId, Cost, ItemSet, ItemStates, SchemaText, SignedItems};
 
 /// A conjunction that stands in schemas, with what being there is worth.
@@ -390,6 +391,34 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize> Default
 {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+// What a value is worth a step before, which schema is the first of a context and whether it holds
+// are found again.
+stored! {
+    impl[const WORDS: usize] Pattern<WORDS> { items, value; then: 0.0, first: NONE, holds: false }
+    counted patterns
+}
+
+stored! { impl[] Losses { evicted_schemas, refused_schemas, refused_patterns } }
+
+stored! {
+    impl[const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize]
+    KnowledgeBase<WORDS, PATTERNS, SCHEMAS> {
+        patterns, schemas, inherent, valued, deferred, discount, next_value, losses, cost
+    }
+}
+
+impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
+    KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
+{
+    /// Makes what an image does not keep.
+    pub(crate) fn rebuild(&mut self) {
+        for pattern in &mut self.patterns {
+            pattern.then = self.discount * pattern.value;
+        }
+        self.link();
     }
 }
 

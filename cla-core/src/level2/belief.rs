@@ -8,6 +8,7 @@
 
 use crate::knowledge::{SchemaId, SyntheticId};
 use crate::num::ordered::{insert, remove};
+use crate::snapshot::{LARGEST_COUNT, stored};
 use crate::word::{ActionId, Cost};
 
 /// How often `item` was on right after `trace` had succeeded.
@@ -344,6 +345,37 @@ pub(crate) fn uses<const ACTIONS: usize>(row: &Row<ACTIONS>) -> f32 {
         total += tried;
     }
     total
+}
+
+stored! {
+    impl[] Belief { trace, item, on }
+    sound |it, limits| it.on >= 0.0
+        && it.on <= LARGEST_COUNT
+        && limits.ascends(u32::from(it.trace.0) << 16 | u32::from(it.item.0))
+}
+
+// What that is worth a step before is found again.
+stored! {
+    impl[const ACTIONS: usize] Row<ACTIONS> {
+        schema,
+        action,
+        value,
+        experienced,
+        visits => within LARGEST_COUNT,
+        eligibility => within 1.0,
+        used,
+        tried => within LARGEST_COUNT
+        ;
+        then: 0.0
+    }
+    counted synthetic
+}
+
+stored! { impl[] BeliefLosses { evicted_items, refused_items, evicted_beliefs } }
+
+stored! {
+    impl[const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize]
+    BeliefTable<ACTIONS, ITEMS, BELIEFS> { rows, beliefs, losses, clock, cost }
 }
 
 #[cfg(test)]

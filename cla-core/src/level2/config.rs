@@ -1,6 +1,7 @@
 //! How the second level learns, and when it leaves the decision to the first (book, 3.4, 6.2.3).
 
 use crate::check::{Config, ConfigError, Range};
+use crate::snapshot::{Reader, Stored, Writer, stored};
 
 /// How the second level learns.
 ///
@@ -75,5 +76,40 @@ impl Config for Level2Config {
             }
             Fallback::Never | Fallback::ValueThenReliability => Ok(()),
         }
+    }
+}
+
+stored! {
+    impl[] Level2Config {
+        prior, experience, lambda, learning_rate, forgetting, values_per_step, fallback
+    }
+}
+
+impl Stored for Fallback {
+    const BLANK: Self = Self::Never;
+
+    fn store(&self, to: &mut Writer<'_>) {
+        match self {
+            Self::Never => 0_u8.store(to),
+            Self::MeanReliability(share) => {
+                1_u8.store(to);
+                share.store(to);
+            }
+            Self::ValueThenReliability => 2_u8.store(to),
+        }
+    }
+
+    fn restore(&mut self, from: &mut Reader<'_>) {
+        let (mut kind, mut share) = (0_u8, 0.0);
+        kind.restore(from);
+        *self = match kind {
+            0 => Self::Never,
+            1 => {
+                share.restore(from);
+                Self::MeanReliability(share)
+            }
+            _ => Self::ValueThenReliability,
+        };
+        from.require(kind <= 2);
     }
 }

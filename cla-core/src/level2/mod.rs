@@ -9,6 +9,7 @@
 mod belief;
 mod config;
 mod maps;
+mod rates;
 mod second_level;
 
 pub use belief::{Belief, BeliefLosses};

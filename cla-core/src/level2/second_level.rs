@@ -6,12 +6,14 @@
 //! The state is then the schema that has succeeded last; its value is half what the beliefs promise
 //! and half what has really followed it.
 
-use super::belief::{Belief, BeliefLosses, BeliefTable, Row, uses};
+use super::belief::{Belief, BeliefLosses, BeliefTable, uses};
 use super::config::Level2Config;
+use super::rates::Rates;
 use crate::choice::{Appraisal, Preference, ValueConfig, Voice, most_worth, state_of};
 use crate::knowledge::{
     KnowledgeBase, Others, PatternId, Reliability, Schema, SchemaId, SyntheticId,
 };
+use crate::snapshot::{LARGEST, stored};
 use crate::word::{ActionId, Cost, ItemStates};
 
 /// Weights of a new prediction in the slow and the fast share of right ones.
@@ -19,32 +21,6 @@ const SLOW: f32 = 0.000_5;
 const FAST: f32 = 0.02;
 /// Eligibility below which a state no longer feels a reward.
 const FELT: f32 = 0.01;
-
-/// How what follows counts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Rates {
-    discount: f32,
-    experience: f32,
-}
-
-impl Rates {
-    const NONE: Self = Self {
-        discount: 0.0,
-        experience: 0.0,
-    };
-
-    const fn of(values: &ValueConfig, config: &Level2Config) -> Self {
-        Self {
-            discount: values.discount,
-            experience: config.experience,
-        }
-    }
-
-    /// The discounted value of the state after the success of a row's schema.
-    fn then<const ACTIONS: usize>(&self, row: &Row<ACTIONS>) -> f32 {
-        self.discount * (row.value + self.experience * (row.experienced - row.value))
-    }
-}
 
 /// The second level of a brain: `SYNTHETIC` items and `BELIEFS` counters.
 ///
@@ -297,6 +273,9 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             return;
         };
         let error = reward + discount * after.experienced - before.experienced;
+        if error.abs() > LARGEST {
+            return;
+        }
         let mut felt = 0;
         let fading = discount * config.lambda;
         // From so many visits on a visit's share is below the learning rate, whatever the rounding.
@@ -394,8 +373,9 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         }
         let mut expected = [0.0; ACTIONS];
         for ((expected, level1), occasions) in expected.iter_mut().zip(level1).zip(occasions) {
-            // Nothing applies, or nothing that ever succeeded.
-            if level1.reliability.to_bits() == 0 {
+            // Nothing applies, or nothing that ever succeeded or that has not failed for ten thousand
+            // times; a smaller number has no finite inverse.
+            if level1.reliability.to_bits() < f32::MIN_POSITIVE.to_bits() {
                 continue;
             }
             // What level 1 leaves open it says in the proportions of what it does not; where
@@ -541,6 +521,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
                 best = value;
             }
         }
+        let best = if best < LARGEST { best } else { LARGEST };
         if let Some(row) = self.table.rows.get_mut(usize::from(item.0)) {
             row.value = best;
             row.then = self.rates.then(row);
@@ -594,6 +575,24 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize> Default
 {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+stored! {
+    impl[const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize]
+    SecondLevel<ACTIONS, SYNTHETIC, BELIEFS> {
+        table, rates, next_value, predictions, slow => within 1.1, fast => within 1.1
+    }
+}
+
+impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
+    SecondLevel<ACTIONS, SYNTHETIC, BELIEFS>
+{
+    /// Makes what an image does not keep.
+    pub(crate) fn rebuild(&mut self) {
+        for row in &mut self.table.rows {
+            row.then = self.rates.then(row);
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 use super::sample::Sample;
 use crate::check::{Config, ConfigError, Range, check_some};
 use crate::num::{Neighbourhood, Rng, Schedule};
+use crate::snapshot::{Stored, stored};
 use crate::som::{BestMatch, BinarySom, Grid, NodeId, Prototypes, SparseStimulus, best_match};
 use crate::word::{ActionId, Cost};
 
@@ -125,7 +126,7 @@ pub(crate) struct MapScratch<const WIDTH: usize, const HEIGHT: usize> {
     dots: Grid<f32, WIDTH, HEIGHT>,
     distances: Grid<f32, WIDTH, HEIGHT>,
     /// What training has touched in this step.
-    cost: Cost,
+    pub(crate) cost: Cost,
 }
 
 /// The map of one action: a context half `M` and a result half `R`.
@@ -372,8 +373,8 @@ pub struct ActionSomBank<
     M = BinarySom<WIDTH, HEIGHT, ITEMS>,
     R = M,
 > {
-    maps: [ActionSom<WIDTH, HEIGHT, ITEMS, M, R>; ACTIONS],
-    scratch: MapScratch<WIDTH, HEIGHT>,
+    pub(crate) maps: [ActionSom<WIDTH, HEIGHT, ITEMS, M, R>; ACTIONS],
+    pub(crate) scratch: MapScratch<WIDTH, HEIGHT>,
 }
 
 impl<const WIDTH: usize, const HEIGHT: usize, const ITEMS: usize, const ACTIONS: usize>
@@ -476,6 +477,20 @@ fn features_on(stimulus: &SparseStimulus<'_>) -> u32 {
     }
     features
 }
+
+stored! {
+    impl[
+        const WIDTH: usize,
+        const HEIGHT: usize,
+        const ITEMS: usize,
+        M: Stored,
+        R: Stored
+    ]
+    ActionSom<WIDTH, HEIGHT, ITEMS, M, R> { context, result, wins, recruited, samples, displaced }
+}
+
+stored! { impl[] TrainingConfig { alpha, sigma, cut, result_weight, recruitment } }
+stored! { impl[] Recruitment { vigilance, after } }
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,7 @@
 use super::action_som::ActionSom;
 use super::sample::ResultCoding;
 use crate::check::{Config, ConfigError, Range};
+use crate::snapshot::stored;
 use crate::som::{NodeId, Prototypes};
 use crate::word::{ItemId, SignedItems};
 
@@ -106,6 +107,8 @@ pub fn harvest_node<
         wins,
     })
 }
+
+stored! { impl[] HarvestConfig { on, off, minimum_wins } }
 
 #[cfg(test)]
 #[path = "harvest_tests.rs"]

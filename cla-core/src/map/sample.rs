@@ -1,5 +1,6 @@
 //! One completed action as a stimulus: the items before it, the items after it (book, 5.3.1).
 
+use crate::snapshot::stored_codes;
 use crate::som::SparseStimulus;
 use crate::word::{ItemSet, ItemStates};
 
@@ -90,3 +91,8 @@ impl<const WORDS: usize> Sample<WORDS> {
         }
     }
 }
+
+stored_codes!(ResultCoding {
+    0: (Self::Change),
+    1: (Self::EndState)
+});

@@ -4,6 +4,8 @@
 //! operations only, period 2¹²⁸ − 1.
 //! Not for secrets.
 
+use crate::snapshot::stored;
+
 /// A seeded random generator.
 ///
 /// Every source of chance in the brain is an `Rng` that the caller hands in, so one seed decides a
@@ -24,6 +26,11 @@ pub struct Rng {
 impl Rng {
     /// All-zero memory in place of a generator that will be seeded: it only ever draws 0.
     pub(crate) const UNSEEDED: Self = Self { state: [0; 4] };
+
+    /// Whether it was seeded.
+    pub(crate) fn is_seeded(&self) -> bool {
+        self.state != [0; 4]
+    }
 
     /// A generator for `seed`; different seeds give unrelated sequences.
     #[must_use]
@@ -99,6 +106,8 @@ const fn split_mix(state: u64) -> (u64, u64) {
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     (next, z ^ (z >> 31))
 }
+
+stored!(impl[] Rng { state });
 
 #[cfg(test)]
 mod tests {

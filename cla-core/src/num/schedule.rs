@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::{exp, ln};
+use crate::snapshot::{Reader, Stored, Writer, stored};
 
 /// A parameter as a function of the number of samples that a map has seen.
 ///
@@ -124,6 +125,16 @@ impl Schedule {
         }
     }
 
+    /// Whether one of the functions above could have made it.
+    fn can_be(&self) -> bool {
+        let made = match self.shape {
+            Shape::Linear { steps } => Self::linear(self.from, self.to, steps),
+            Shape::Geometric { steps } => Self::geometric(self.from, self.to, steps),
+            Shape::Decay { time_constant } => Self::decay(self.from, self.to, time_constant),
+        };
+        *self == Self::ZERO || made.is_ok()
+    }
+
     /// The value after `samples` samples; always between the two ends.
     #[must_use]
     pub fn at(&self, samples: u32) -> f32 {
@@ -153,6 +164,38 @@ const fn checked(from: f32, to: f32, steps: u32) -> Result<(), ScheduleError> {
         Err(ScheduleError::NoSteps)
     } else {
         Ok(())
+    }
+}
+
+stored! {
+    impl[] Schedule { from, to, shape }
+    sound |it, _limits| it.can_be()
+}
+
+impl Stored for Shape {
+    const BLANK: Self = Self::Linear { steps: 0 };
+
+    fn store(&self, to: &mut Writer<'_>) {
+        match self {
+            Self::Linear { steps } => (0_u8, *steps).store(to),
+            Self::Geometric { steps } => (1_u8, *steps).store(to),
+            Self::Decay { time_constant } => (2_u8, *time_constant).store(to),
+        }
+    }
+
+    fn restore(&mut self, from: &mut Reader<'_>) {
+        let (mut kind, mut steps, mut time_constant) = (0_u8, 0, 0.0);
+        kind.restore(from);
+        match kind {
+            0 | 1 => steps.restore(from),
+            2 => time_constant.restore(from),
+            _ => from.refuse(),
+        }
+        *self = match kind {
+            0 => Self::Linear { steps },
+            1 => Self::Geometric { steps },
+            _ => Self::Decay { time_constant },
+        };
     }
 }
 

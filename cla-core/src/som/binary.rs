@@ -10,6 +10,7 @@
 use super::grid::{Grid, NodeId};
 use super::stimulus::SparseStimulus;
 use crate::num::{Neighbourhood, Rng};
+use crate::snapshot::stored;
 
 /// A prototype's factor is folded into its weights when it falls below this: far above the point
 /// where dividing by it loses digits, and rare enough to cost little.
@@ -543,6 +544,15 @@ fn value_mut<const WIDTH: usize, const HEIGHT: usize>(
     columns
         .get_mut(usize::from(feature))
         .and_then(|column| column.as_mut_slice().get_mut(index))
+}
+
+stored! {
+    impl[const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize]
+    BinarySom<WIDTH, HEIGHT, FEATURES> {
+        columns => within 2.0 / SMALLEST_SCALE,
+        scale => within 1.0,
+        squared_norm => within 2.0 * u16::MAX as f32,
+    }
 }
 
 #[cfg(test)]

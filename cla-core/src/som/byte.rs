@@ -9,6 +9,7 @@ use super::grid::{Grid, NodeId};
 use super::prototypes::Prototypes;
 use super::stimulus::SparseStimulus;
 use crate::num::{Neighbourhood, Ones, Rng};
+use crate::snapshot::stored;
 
 /// The integer that stands for a weight of 1.
 const ONE: i32 = 127;
@@ -56,6 +57,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
             noise: 0,
         }
     };
+    const STORED_AS: u8 = 2;
 
     fn randomize(&mut self, rng: &mut Rng) {
         self.noise = rng.next_u32() | 1;
@@ -255,6 +257,11 @@ fn target_of(stimulus: &SparseStimulus<'_>, feature: u16) -> i32 {
         None => 0,
     };
     ONE * (bit(stimulus.on) - bit(stimulus.minus))
+}
+
+stored! {
+    impl[const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize]
+    ByteSom<WIDTH, HEIGHT, FEATURES> { columns, noise if |it: &u32| *it != 0 }
 }
 
 #[cfg(test)]

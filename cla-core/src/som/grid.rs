@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::snapshot::{Reader, Stored, Writer};
+
 /// The index of a node: row · width + column.
 ///
 /// ```
@@ -114,6 +116,22 @@ pub fn best_match<const WIDTH: usize, const HEIGHT: usize>(
     BestMatch {
         node: NodeId(best.0 as u16),
         squared_distance: f32::from_bits(best.1),
+    }
+}
+
+impl<T: Stored + Copy, const WIDTH: usize, const HEIGHT: usize> Stored for Grid<T, WIDTH, HEIGHT> {
+    const BLANK: Self = Self::filled(T::BLANK);
+
+    fn store(&self, to: &mut Writer<'_>) {
+        self.0.store(to);
+    }
+
+    fn restore(&mut self, from: &mut Reader<'_>) {
+        self.0.restore(from);
+    }
+
+    fn check(from: &mut Reader<'_>) {
+        <[[T; WIDTH]; HEIGHT]>::check(from);
     }
 }
 

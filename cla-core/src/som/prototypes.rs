@@ -27,6 +27,9 @@ pub trait Prototypes<const WIDTH: usize, const HEIGHT: usize> {
     /// A map of all-zero memory.
     const ZERO: Self;
 
+    /// What an image of a brain calls this storage of weights: 1 for `f32`, 2 for a byte.
+    const STORED_AS: u8;
+
     /// Draws every weight from `[0, 1)`.
     fn randomize(&mut self, rng: &mut Rng);
 
@@ -74,6 +77,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
     for BinarySom<WIDTH, HEIGHT, FEATURES>
 {
     const ZERO: Self = Self::new();
+    const STORED_AS: u8 = 1;
 
     fn randomize(&mut self, rng: &mut Rng) {
         Self::randomize(self, rng);

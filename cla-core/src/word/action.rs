@@ -1,6 +1,7 @@
 //! Actions, and the names of items and actions (book, 5.1.1).
 
 use super::item::ItemId;
+use crate::snapshot::{Names, stored_as};
 
 /// The index of an action: primitive actions first, composite actions after them.
 ///
@@ -48,6 +49,12 @@ impl Vocabulary {
             .map(|index| ActionId(index as u16))
     }
 
+    /// The names as checksums, for an image of a brain.
+    #[must_use]
+    pub fn names(&self) -> Names {
+        Names::of(self.items, self.actions)
+    }
+
     /// The name of an item; `?` when it has none.
     #[must_use]
     pub fn item_name(&self, item: ItemId) -> &'static str {
@@ -63,3 +70,5 @@ impl Vocabulary {
             .unwrap_or("?")
     }
 }
+
+stored_as!(impl[] ActionId, below actions);

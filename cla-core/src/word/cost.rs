@@ -7,6 +7,8 @@
 //! values at the end of training.
 //! What a count weighs in instructions is measured, not known here (`host-sim`, `experiment::mcu`).
 
+use crate::snapshot::stored;
+
 /// Counts of what was touched in one control step.
 ///
 /// ```
@@ -64,4 +66,8 @@ impl Cost {
             *count = count.wrapping_add(more);
         }
     }
+}
+
+stored! {
+    impl[] Cost { units, weights, moved, patterns, schemas, items, beliefs, habits }
 }

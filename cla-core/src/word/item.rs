@@ -7,6 +7,7 @@
 use core::fmt;
 
 use crate::num::Ones;
+use crate::snapshot::{stored, stored_as};
 
 /// The index of an item: primitive items first, synthetic items after them.
 ///
@@ -337,6 +338,13 @@ impl<const WORDS: usize> ItemStates<WORDS> {
     pub fn known(&self) -> ItemSet<WORDS> {
         self.on.union(&self.off)
     }
+}
+
+stored_as!(impl[] ItemId);
+stored_as!(impl[const WORDS: usize] ItemSet<WORDS>);
+stored! {
+    impl[const WORDS: usize] ItemStates<WORDS> { on, off }
+    sound |it, _limits| it.on.is_disjoint(&it.off)
 }
 
 #[cfg(test)]

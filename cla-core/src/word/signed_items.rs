@@ -1,6 +1,7 @@
 //! Conjunctions of signed items: the contexts and results of schemas, `+s3-bump` (book, 5.1.1).
 
 use super::item::{ItemId, ItemSet, ItemStates};
+use crate::snapshot::stored;
 
 /// Items that must be on and items that must be off.
 ///
@@ -111,6 +112,11 @@ impl<const WORDS: usize> SignedItems<WORDS> {
     pub fn follows_from(&self, other: &Self) -> bool {
         self.positive.is_subset(&other.positive) && self.negative.is_subset(&other.negative)
     }
+}
+
+stored! {
+    impl[const WORDS: usize] SignedItems<WORDS> { positive, negative }
+    sound |it, _limits| it.positive.is_disjoint(&it.negative)
 }
 
 #[cfg(test)]

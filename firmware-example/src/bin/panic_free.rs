@@ -15,7 +15,7 @@ use cla_core::adaptation::*;
 use cla_core::agent::*;
 use cla_core::check::{Config, ConfigError};
 use cla_core::choice::*;
-use cla_core::forager::pioneer::{Action, Brain, Percept, be_born};
+use cla_core::forager::pioneer::{Action, Brain, Percept, VOCABULARY, be_born};
 use cla_core::forager::small;
 use cla_core::forest::{self, Actions, Deliberation, MindConfig, MindError, Taught};
 use cla_core::growth::*;
@@ -28,6 +28,7 @@ use cla_core::level2::*;
 use cla_core::map::*;
 use cla_core::num::{Neighbourhood, Rng, Schedule, ScheduleError, exp, ln, sqrt};
 use cla_core::reason::{Prospects, Pursuit, Reason as Faculty};
+use cla_core::snapshot::{self, LoadError, Names, SaveError, SinkFull, SliceSink, SourceEnd};
 use cla_core::som::*;
 use cla_core::word::*;
 
@@ -244,12 +245,8 @@ entries! {
         be_born(brain, config, seed)
     }
     "action_of" (id: ActionId) -> Option<Action> { Action::of(id) }
-    "be_born_with" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> {
-        brain.be_born(config, &[(ItemId(1), 1.0)], seed)
-    }
-    "reconfigure" (brain: &mut Agent6, config: AgentConfig) -> Result<(), ConfigError> {
-        brain.reconfigure(config)
-    }
+    "be_born_with" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> { brain.be_born(config, &[(ItemId(1), 1.0)], seed) }
+    "reconfigure" (brain: &mut Agent6, config: AgentConfig) -> Result<(), ConfigError> { brain.reconfigure(config) }
     "choose" (brain: &mut Agent6, now: &Percept) -> Result<Choice, AgentError> { brain.choose(now) }
     "learn" (brain: &mut Agent6, now: &Percept) -> Result<Lesson, AgentError> { brain.learn(now) }
     "observe" (
@@ -267,6 +264,14 @@ entries! {
         brain.act(how).ok()?;
         Some(lesson)
     }
+
+    "save" (brain: &Agent6, to: &mut SliceSink<'_>) -> Result<u32, SaveError<SinkFull>> {
+        let length = snapshot::save(brain, VOCABULARY.names(), to)?;
+        Ok(length.min(to.written() as u32))
+    }
+    "load" (it: &mut Agent6, from: &mut &[u8]) -> Option<u32> { snapshot::load(it, Names::UNKNOWN, from).ok() }
+    "load_bytes" (it: &mut small::Brain, from: &mut &[u8]) -> Result<u32, LoadError<SourceEnd>> { snapshot::load(it, Names::of(&["a"], &["b"]), from) }
+    "say_snapshot" (a: &SaveError<SinkFull>, b: &LoadError<SourceEnd>, to: &mut Nowhere) { let _ = write!(to, "{a}{b}"); }
 
     "maps" (brain: &Agent6, node: NodeId, item: u16) -> Option<f32> {
         let map = brain.bank().maps().get(usize::from(item))?;

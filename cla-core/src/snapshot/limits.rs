@@ -1,0 +1,57 @@
+//! What numbers and links of a sound brain are bounded by, and the version that is written.
+
+/// The version of the format that is written; older ones that can be read are migrated by a step of
+/// their own.
+pub(super) const VERSION: u16 = 1;
+/// The largest number in a sound brain: sums over tables and products with counts stay finite.
+pub(crate) const LARGEST: f32 = 1e20;
+/// The largest count that is a float: from here on 1 more is lost by rounding.
+pub(crate) const LARGEST_COUNT: f32 = 16_777_216.0;
+
+/// How many there are of what links point at, in the order in which the tables are stored.
+///
+/// ```
+/// fn actions(limits: &cla_core::snapshot::Limits) -> u16 {
+///     limits.actions
+/// }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Actions of the robot.
+    pub actions: u16,
+    /// Conjunctions in the table.
+    pub patterns: u16,
+    /// Schemas in the table.
+    pub schemas: u16,
+    /// Synthetic items.
+    pub synthetic: u16,
+    /// How far from 0 a number may be.
+    pub(crate) largest: f32,
+    /// The key of the entry before, in a table that is ordered.
+    before: Option<u32>,
+}
+
+impl Limits {
+    /// For a brain of so many actions.
+    pub(crate) const fn of(actions: u16) -> Self {
+        Self {
+            actions,
+            patterns: 0,
+            schemas: 0,
+            synthetic: 0,
+            largest: LARGEST,
+            before: None,
+        }
+    }
+
+    pub(super) const fn begin_section(&mut self) {
+        self.before = None;
+    }
+
+    /// Whether a key comes after the one before it.
+    pub(crate) fn ascends(&mut self, key: u32) -> bool {
+        let ascends = self.before.is_none_or(|before| before < key);
+        self.before = Some(key);
+        ascends
+    }
+}
