@@ -150,10 +150,10 @@ pub enum Command {
     },
 }
 
-/// Where the files of a run go.
+/// Where the files of a run go, and what is printed.
 #[derive(Clone, Debug, Args)]
 pub struct OutArgs {
-    /// Directory for trials.jsonl, summary.json and the figures [default: `runs/`, the experiment and
+    /// Directory for report.html, summary.json, trials.jsonl and the figures [default: `runs/`, the experiment and
     /// the time; `latest` leads to it].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -164,6 +164,9 @@ pub struct OutArgs {
     /// been interrupted.
     #[arg(long, conflicts_with = "force")]
     pub resume: bool,
+    /// Print all tables and claims, not only the summary of ten lines.
+    #[arg(long)]
+    pub table: bool,
 }
 
 /// The seeds of a run.

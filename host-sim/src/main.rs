@@ -39,18 +39,23 @@ fn run(order: &Order) -> Result<ExitCode, Failure> {
     };
     let arguments = std::env::args_os().skip(1);
     let arguments = arguments.map(|it| it.display().to_string());
-    // How often a run was begun is no part of what it is.
+    // How often a run was begun, and what is printed, is no part of what it is.
     let arguments: Vec<_> = arguments
-        .filter(|it| it != "--resume" && it != "--force")
+        .filter(|it| !["--resume", "--force", "--table"].contains(&it.as_str()))
         .collect();
     results.summary.command = format!("host-sim {}", arguments.join(" "));
     let circumstances = circumstances.to_json(&results.summary.command);
     output.write(Circumstances::NAME, circumstances.as_bytes())?;
-    let paths = results.write(&output)?;
-    let mut text = results.text();
-    paths
-        .iter()
-        .for_each(|path| text.push_str(&format!("\nwrote {}", path.display())));
+    results.write(&output)?;
+    let mut text = match (&results.story, order.table) {
+        (_, true) => results.text(),
+        (Some(story), false) => format!("{story}\n"),
+        (None, false) => String::new(),
+    };
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    text.push_str(&results.brief(output.directory()));
     match writeln!(std::io::stdout(), "{text}") {
         // Whoever read along has seen enough.
         Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => {}

@@ -38,6 +38,8 @@ pub struct Order {
     pub place: Place,
     /// What its brain may cost; `None` where there is no brain with a budget.
     pub budget: Option<Budget>,
+    /// Whether all tables and claims are printed.
+    pub table: bool,
 }
 
 /// A plan and the arguments that all experiments share: where its files go, what its brain may cost.
@@ -70,6 +72,7 @@ impl Order {
             },
             plan,
             budget,
+            table: out.table,
         })
     }
 

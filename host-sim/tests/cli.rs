@@ -178,15 +178,23 @@ fn an_interrupted_run_leaves_whole_files_or_none() {
 #[test]
 fn calibrate_writes_its_claims_and_pictures_and_shows_them() {
     let folder = Folder::new("calibrate");
-    let output = run(&folder.0, &["calibrate", "--out", "here"]);
+    let output = run(&folder.0, &["calibrate", "--table", "--out", "here"]);
     assert!(output.status.success());
-    assert!(String::from_utf8_lossy(&output.stdout).contains("calibrate.actions.R5_f0_5"));
+    let out = String::from_utf8_lossy(&output.stdout);
+    assert!(out.contains("calibrate.actions.R5_f0_5"));
+    assert!(out.contains("24 claims: "), "{out}");
     let here = folder.0.join("here");
     let summary = fs::read_to_string(here.join("summary.json")).expect("a claims file");
     let summary = host_sim::report::Summary::from_json(&summary).expect("a summary");
     assert_eq!(summary.command, "host-sim calibrate --out here");
     assert!(summary.find("calibrate.p_s3.R3_f0_1").is_some());
-    for name in ["actions.svg", "actions.png", "p-s3.svg", "p-s3.png"] {
+    for name in [
+        "actions.svg",
+        "actions.png",
+        "p-s3.svg",
+        "p-s3.png",
+        "report.html",
+    ] {
         assert!(here.join(name).is_file(), "{name}");
     }
     let about = fs::read_to_string(here.join("run.json")).expect("it is told how it was made");
@@ -242,6 +250,14 @@ fn a_run_that_exceeds_its_budget_says_so_and_ends_with_exit_code_1() {
     assert!(folder.0.join("here/summary.json").is_file());
     let (code, out, _) = forage("instructions=1000k,ram=264KiB");
     assert_eq!(code, Some(0));
+    // A life of one seed has no verdicts, and ends in a few lines that say how to get them.
+    assert!(out.lines().count() <= 10, "{out}");
+    assert!(!out.contains("n too small"), "{out}");
+    assert!(out.contains("captures in a test: level 1 "), "{out}");
+    assert!(
+        out.ends_with("everything is in here/report.html\n"),
+        "{out}"
+    );
     assert!(
         out.contains("instructions of 1,000,000") && out.contains("of 264 KiB"),
         "{out}"

@@ -4,10 +4,12 @@
 //! is made from it, so that the terminal, the figures and the JSON cannot disagree.
 //! The module knows nothing of worlds or brains.
 
+mod brief;
 mod circumstances;
 mod claims;
 mod expectation;
 pub mod figure;
+mod html;
 mod inference;
 mod journal;
 mod judge;
@@ -24,6 +26,7 @@ mod table;
 pub use circumstances::Circumstances;
 pub use claims::{Claim, Estimator, Origin, Ours, Range, Reference, Tested, Verdict};
 pub use expectation::Expectation;
+pub use html::{Section, escaped};
 pub use inference::{
     LEVEL, Outcome, Printed, RESAMPLES, binomial_test, holm, median_interval, one_sample_t,
     paired_t, ratio_interval, share_interval, welch_of_printed,

@@ -1,11 +1,13 @@
 //! Everything that an experiment hands over at its end: the record, its pictures, a last word.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use super::brief::brief;
 use super::figure::Picture;
+use super::html::{self, Section};
 use super::output::{Output, OutputError};
 use super::summary::Summary;
-use super::table::{claims_text, table_text};
+use super::table::{claims_text, ours_text, table_text};
 
 /// The summary of a run with the figures drawn from it.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +17,8 @@ pub struct Results {
     /// The instructions of the worst control step by the name of the processor; empty when no brain
     /// counted its steps.
     pub worst_ticks: Vec<(&'static str, u64)>,
+    /// What came out, in one sentence with numbers.
+    pub headline: Option<String>,
     /// What is told on the terminal before anything else.
     pub story: Option<String>,
     /// A last line for the terminal.
@@ -22,21 +26,25 @@ pub struct Results {
     /// Why the run has failed although it came to its end, in one sentence.
     pub over_budget: Option<String>,
     pictures: Vec<(String, Picture)>,
-    files: Vec<(String, Vec<u8>)>,
+    sections: Vec<Section>,
 }
 
 impl Results {
+    /// The name of the page.
+    pub const PAGE: &'static str = "report.html";
+
     /// Results without pictures yet; the claims are judged together.
     #[must_use]
     pub fn new(summary: Summary) -> Self {
         Self {
             summary: summary.judged(),
             worst_ticks: Vec::new(),
+            headline: None,
             story: None,
             remark: None,
             over_budget: None,
             pictures: Vec::new(),
-            files: Vec::new(),
+            sections: Vec::new(),
         }
     }
 
@@ -47,14 +55,63 @@ impl Results {
         self
     }
 
-    /// Adds a file of any other kind, such as a page, under its whole name.
+    /// Says in one sentence what came out: what is counted, then names with the ids of claims, whose
+    /// numbers stand beside them; a claim that is not there is left out.
+    ///
+    /// ```
+    /// use host_sim::report::{Expectation, Results, Summary};
+    /// let mut summary = Summary::new("forage", &[1, 2]);
+    /// summary.claim(Expectation::new("forage.ours", "6.2", "captures").judge(&[4.0, 6.0]));
+    /// let results = Results::new(summary);
+    /// let results = results.headline("captures", &[("ours", "forage.ours"), ("other", "forage.no")]);
+    /// assert_eq!(results.headline.as_deref(), Some("captures: ours 5 ± 1.41"));
+    /// ```
     #[must_use]
-    pub fn file(mut self, name: &str, bytes: Vec<u8>) -> Self {
-        self.files.push((name.to_owned(), bytes));
+    pub fn headline(mut self, what: &str, named: &[(&str, &str)]) -> Self {
+        let number = |&(name, id): &(&str, &str)| {
+            let ours = ours_text(&self.summary.find(id)?.ours);
+            // How many seeds there are is told once.
+            let ours = ours.rsplit_once(" (").map_or(ours.as_str(), |(it, _)| it);
+            Some(format!("{name} {ours}"))
+        };
+        let numbers: Vec<String> = named.iter().filter_map(number).collect();
+        if !numbers.is_empty() {
+            self.headline = Some(format!("{what}: {}", numbers.join(", ")));
+        }
         self
     }
 
-    /// What the terminal shows: the story, all tables, then the claims, then the last line.
+    /// Adds a part to the page, as HTML.
+    #[must_use]
+    pub fn section(mut self, title: &str, html: String) -> Self {
+        let title = title.to_owned();
+        self.sections.push(Section { title, html });
+        self
+    }
+
+    /// The last ten lines of a run whose files are in a directory: what was missed, counts, where
+    /// everything is.
+    #[must_use]
+    pub fn brief(&self, directory: &Path) -> String {
+        let (headline, remark) = (self.headline.as_deref(), self.remark.as_deref());
+        brief(&self.summary, headline, remark, &directory.join(Self::PAGE))
+    }
+
+    /// The page: one file that asks the network for nothing.
+    #[must_use]
+    pub fn page(&self) -> String {
+        let mut sections = Vec::new();
+        if let Some(story) = &self.story {
+            let html = format!("<pre>{}</pre>", html::escaped(story));
+            let title = "What happened".to_owned();
+            sections.push(Section { title, html });
+        }
+        sections.extend(self.sections.iter().cloned());
+        let headline = self.headline.as_deref().unwrap_or_default();
+        html::page(headline, &self.summary, &self.pictures, &sections)
+    }
+
+    /// Everything as text: the story, all tables, then the claims, then the last line.
     ///
     /// ```
     /// use host_sim::report::{Results, Summary, Table};
@@ -88,7 +145,7 @@ impl Results {
         text
     }
 
-    /// Writes the pictures and, last, the summary; returns the paths.
+    /// Writes the pictures, the page and, last, the summary; returns the paths.
     ///
     /// # Errors
     /// [`OutputError`] for the first file that cannot be written.
@@ -97,10 +154,57 @@ impl Results {
         for (name, picture) in &self.pictures {
             paths.push(output.write_picture(name, picture)?);
         }
-        for (name, bytes) in &self.files {
-            paths.push(output.write(name, bytes)?);
-        }
+        paths.push(output.write(Self::PAGE, self.page().as_bytes())?);
         paths.push(output.write_summary(&self.summary)?);
         Ok(paths)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::Results;
+    use crate::report::{Bound, Expectation, Rule, Summary};
+
+    fn results(seeds: u64, claims: usize, least: f64) -> Results {
+        let mut summary = Summary::new("a", &(100..100 + seeds).collect::<Vec<u64>>());
+        let values: Vec<f64> = (0..seeds).map(|it| it as f64 / 7.0).collect();
+        for claim in 0..claims {
+            let claim = Expectation::new(format!("a.c{claim}"), "6.1", "captures").extension();
+            let rule = Rule::mean(Bound::AtLeast(least));
+            summary.claim(claim.rule(rule).judge(&values));
+        }
+        let mut results = Results::new(summary);
+        results.headline = Some("first words".to_owned());
+        results.remark = Some("last words".to_owned());
+        results
+    }
+
+    #[test]
+    fn ten_lines_at_most_and_misses_before_counts() {
+        let text = results(12, 30, 9.0).brief(Path::new("here"));
+        assert!(text.lines().count() <= 10, "{text}");
+        let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("{part}: {text}"));
+        assert!(at("missed: a.c0: 0.7857 ± 0.515 (12)") < at("missed: 26 more"));
+        assert!(at("missed: 26 more") < at("30 claims: 30 extension: missed"));
+        assert!(at("first words") < at("last words"));
+        assert!(
+            text.ends_with("everything is in here/report.html"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn one_seed_is_told_how_to_get_verdicts_and_no_list() {
+        let text = results(1, 30, 9.0).brief(Path::new("here"));
+        assert!(
+            text.contains("30 of 30 claims get one with --seeds 100..120"),
+            "{text}"
+        );
+        assert!(
+            !text.contains("n too small") && text.lines().count() <= 5,
+            "{text}"
+        );
     }
 }

@@ -138,6 +138,12 @@ impl Summary {
         again
     }
 
+    /// The claims whose rule did not hold: the book's first, then our own aims.
+    pub fn missed(&self) -> impl Iterator<Item = &Claim> {
+        let of = |verdict| self.claims.iter().filter(move |it| it.verdict == verdict);
+        of(Verdict::NotReproduced).chain(of(Verdict::Missed))
+    }
+
     /// One line: how many claims came out how.
     ///
     /// ```

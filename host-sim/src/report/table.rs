@@ -95,7 +95,8 @@ pub fn ours_text(ours: &Ours) -> String {
     format!("{}{spread} {n}", number(value, 4))
 }
 
-fn reference(printed: &Reference) -> String {
+/// The printed number with its deviation and runs.
+pub(super) fn reference(printed: &Reference) -> String {
     let sd = printed
         .sd
         .map_or_else(String::new, |sd| format!(" ± {}", number(sd, 3)));
@@ -103,7 +104,8 @@ fn reference(printed: &Reference) -> String {
     format!("{}{sd}{n}", number(printed.mean, 4))
 }
 
-fn cell(value: &Value) -> String {
+/// One cell of a table.
+pub(super) fn cell(value: &Value) -> String {
     match value {
         Value::String(words) => words.clone(),
         Value::Null => "–".to_owned(),

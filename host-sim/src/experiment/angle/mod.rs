@@ -58,7 +58,14 @@ impl Experiment for Angle {
     }
 
     fn judge(options: &AngleOptions, trials: &[Trial]) -> Result<Results, Failure> {
-        let mut results = Results::new(claims::summary(options, trials));
+        let results = Results::new(claims::summary(options, trials));
+        let mut results = results.headline(
+            "novelty",
+            &[
+                ("young, new lines over a new angle", "angle.young.ratio"),
+                ("old, a new angle over new lines", "angle.trained.ratio"),
+            ],
+        );
         for (name, picture) in figures::all(options, trials)? {
             results = results.picture(name, picture);
         }

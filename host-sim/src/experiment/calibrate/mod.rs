@@ -48,7 +48,17 @@ impl Experiment for Calibrate {
 
     fn judge(_: &CalibrateOptions, rows: &[Row]) -> Result<Results, Failure> {
         let found = compare::findings(rows);
-        let mut results = Results::new(claims::summary(&found));
+        let results = Results::new(claims::summary(&found));
+        let mut results = results.headline(
+            "room of 5 m, steps of 0.5 m",
+            &[
+                ("actions to clear it", "calibrate.actions.R5_f0_5"),
+                (
+                    "share of steps that keep a specimen ahead",
+                    "calibrate.p_s3.R5_f0_5",
+                ),
+            ],
+        );
         for (name, picture) in figures::all(&found)? {
             results = results.picture(name, picture);
         }

@@ -55,7 +55,14 @@ impl Experiment for Causal {
 
     /// Figures of single networks show the first seed.
     fn judge(options: &CausalOptions, trials: &[Trial]) -> Result<Results, Failure> {
-        let mut results = Results::new(claims::summary(options, trials));
+        let results = Results::new(claims::summary(options, trials));
+        let mut results = results.headline(
+            "differences at the Top layer, times that of Delay and Gap",
+            &[
+                ("Direct and Delay+Gap", "causal.direct_vs_delaygap"),
+                ("Direct and Gap", "causal.direct_vs_gap"),
+            ],
+        );
         for (name, picture) in figures::all(options, trials)? {
             results = results.picture(name, picture);
         }

@@ -59,7 +59,19 @@ impl Experiment for Forage {
     }
 
     fn judge(options: &ForageOptions, trials: &[Trial]) -> Result<Results, Failure> {
-        let mut results = Results::new(claims::summary(options, trials));
+        let results = Results::new(claims::summary(options, trials));
+        let mut results = results.headline(
+            "captures in a test",
+            &[
+                ("level 1", "forage.captures.level1"),
+                ("both levels with habits", "forage.captures.level2"),
+                (
+                    "servo on the same percept",
+                    "forage.baseline.sector_nearest",
+                ),
+                ("random", "forage.baseline.random"),
+            ],
+        );
         for (name, picture) in figures::all(options, trials)? {
             results = results.picture(name, picture);
         }

@@ -55,7 +55,17 @@ impl Experiment for Hil {
     }
 
     fn judge(options: &HilOptions, lives: &[Life]) -> Result<Results, Failure> {
-        let mut results = Results::new(claims::summary(options, lives));
+        let results = Results::new(claims::summary(options, lives));
+        let mut results = results.headline(
+            "the brain in the emulated controller",
+            &[
+                ("captures in the test", "mcu.hil.captures"),
+                (
+                    "share of seeds with the host's choices to the bit",
+                    "mcu.hil.same",
+                ),
+            ],
+        );
         results.worst_ticks = Load::of(lives.iter().map(|life| &life.load)).by_processor();
         Ok(results)
     }

@@ -52,7 +52,14 @@ impl Experiment for Mcu {
     }
 
     fn judge(options: &McuOptions, trials: &[Trial]) -> Result<Results, Failure> {
-        let mut results = Results::new(claims::summary(options, trials));
+        let results = Results::new(claims::summary(options, trials));
+        let mut results = results.headline(
+            "instructions of a tick on a Cortex-M4F",
+            &[
+                ("level 1", "mcu.tick.level1.m4f"),
+                ("both levels", "mcu.tick.level2.m4f"),
+            ],
+        );
         let lives: Vec<Lives> = claims::lives(trials).collect();
         results.worst_ticks = Load::of(lives.iter().map(|it| &it.in_the_loop.load)).by_processor();
         Ok(results)

@@ -89,8 +89,8 @@ fn growth(
         .collect();
     let caption = format!(
         "{}. Marks: mean; error bars: 95 % interval of the mean, from seed to seed. Microworld of \
-         7 × 7 cells, random actions; both axes of steps count all ten actions. Learners that live \
-         shorter fill their memory, or take too long, before.",
+         7 × 7 cells, random actions; steps of all ten actions together. A line that ends early is of a \
+         learner whose memory is full, or that takes too long, by then.",
         sample(&options.seeds)
     );
     let axes = Axes::new(title, "steps", unit).caption(caption).x_log();

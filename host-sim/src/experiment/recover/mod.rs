@@ -1,14 +1,14 @@
 //! Damage and recovery: a robot whose camera was knocked, and what it makes of it (book, 6.3, 7.1.1).
 //!
 //! `life` is the protocol, `trial` one seed of it for everybody who takes part, `claims` what is
-//! concluded, `figures` what is drawn; `film` and `page` show one robot's life.
+//! concluded, `figures` what is drawn; `film` and `replay` show one robot's life.
 
 mod claims;
 mod figures;
 pub mod film;
 pub mod life;
 mod options;
-mod page;
+mod replay;
 mod tables;
 mod trial;
 
@@ -59,7 +59,17 @@ impl Experiment for Recover {
 
     /// With the page of the first seed.
     fn judge(options: &RecoverOptions, trials: &[Trial]) -> Result<Results, Failure> {
-        let mut results = Results::new(claims::summary(options, trials));
+        let results = Results::new(claims::summary(options, trials));
+        let first = options.damages.first().map(Damage::id).unwrap_or_default();
+        let id = |name: &str| format!("recover.{first}.{name}");
+        let mut results = results.headline(
+            "captures in the first 3000 damaged actions, as a share of before",
+            &[
+                ("both levels with habits", &id("relearn_3000")),
+                ("without habits", &id("no_habits_3000")),
+                ("level 1", &id("level1_3000")),
+            ],
+        );
         results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
         for (name, picture) in figures::all(options, trials)? {
             results = results.picture(&name, picture);
@@ -80,8 +90,10 @@ impl Experiment for Recover {
             &damage,
         )) = first
         {
-            let page = page::page(film, options, damage, seed);
-            results = results.file("track.html", page.into_bytes());
+            let replay = replay::replay(film, options, damage, seed);
+            results = results
+                .section("A life to watch", replay)
+                .section("What it acted on", replay::spoken(film));
         }
         Ok(results)
     }

@@ -54,7 +54,10 @@ pub fn board_pairs(
         return Err(FigureError("no boards".to_owned()));
     };
     let board = (wide as i32 * SIDE, tall as i32 * SIDE);
-    let pair = (2 * board.0 + GAP + 2 * MARGIN, board.1 + HEAD + MARGIN);
+    let titled = |it: &Board| wrapped(&it.title, SMALL, board.0 + GAP);
+    let most = boards().map(|it| titled(it).len()).max().unwrap_or(1);
+    let head = most as i32 * leading(SMALL) + 4;
+    let pair = (2 * board.0 + GAP + 2 * MARGIN, board.1 + head + MARGIN);
     let rows = pairs.len().div_ceil(columns) as i32;
     let width = (columns as i32 * pair.0).max(560);
     let lines = wrapped(&axes.title, TITLE, width - 2 * MARGIN).len().max(1) as i32;
@@ -68,9 +71,8 @@ pub fn board_pairs(
             );
             for (which, it) in boards.iter().enumerate() {
                 let left = corner.0 + which as i32 * (board.0 + GAP);
-                let title = wrapped(&it.title, SMALL, board.0 + GAP);
-                Pen::new(SMALL).lines(page, &title, (left, corner.1))?;
-                draw(page, it, (left, corner.1 + HEAD))?;
+                Pen::new(SMALL).lines(page, &titled(it), (left, corner.1))?;
+                draw(page, it, (left, corner.1 + head))?;
             }
         }
         Ok(())
@@ -79,8 +81,6 @@ pub fn board_pairs(
 
 const SIDE: i32 = 26;
 const GAP: i32 = 20;
-/// Two lines above each board.
-const HEAD: i32 = 2 * leading(SMALL) + 4;
 
 fn draw(page: &super::Canvas<'_>, board: &Board, corner: (i32, i32)) -> super::Drawing {
     for (y, row) in board.rows.iter().enumerate() {

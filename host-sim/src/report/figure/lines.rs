@@ -150,7 +150,7 @@ fn chart(page: &Canvas<'_>, area: Area, axes: &Axes, scales: Scales, lines: &[Li
         let Some(end) = *end else { continue };
         let middle = y + leading(SMALL) / 2 - 2;
         let leader = [(end.0 + 5, end.1), (left - 4, middle)];
-        Stroke::context().line(page, &leader)?;
+        Stroke::leader().line(page, &leader)?;
         let stroke = strokes[index];
         stroke.line(page, &[(left, middle), (left + SAMPLE - 6, middle)])?;
         stroke.mark(page, (left + SAMPLE / 2 - 3, middle))?;

@@ -56,6 +56,16 @@ impl Stroke {
         }
     }
 
+    /// From the end of a line to its name.
+    pub(super) const fn leader() -> Self {
+        Self {
+            colour: RGBColor(0xB4, 0xB4, 0xB4),
+            width: 1,
+            dashes: &[],
+            mark: None,
+        }
+    }
+
     /// Without marks.
     pub(super) const fn bare(mut self) -> Self {
         self.mark = None;

@@ -1,4 +1,4 @@
-//! One robot's life to watch: a page in one file that replays it, without any network.
+//! One robot's life to watch: a part of the run's page that replays it.
 //!
 //! Drawn once as SVG (room, specimens, robot, the five sectors of its camera) and moved by a script
 //! from the recorded frames: pose, items that are on, chosen schema and value, captures.
@@ -8,13 +8,14 @@ use serde_json::{Value, json};
 
 use super::film::Film;
 use super::options::RecoverOptions;
+use crate::report::escaped;
 use crate::world::body::SPECIMEN_RADIUS;
 use crate::world::camera::{FIELD_OF_VIEW, SECTORS};
 use crate::world::damage::Damage;
 use crate::world::pioneer::{ACTIONS, ITEMS};
 
-/// The page of a film.
-pub(super) fn page(film: &Film, options: &RecoverOptions, damage: Damage, seed: u64) -> String {
+/// The replay of a film, as HTML.
+pub(super) fn replay(film: &Film, options: &RecoverOptions, damage: Damage, seed: u64) -> String {
     let radius = options.world.config.radius;
     let camera = match damage {
         Damage::Camera(degrees) => degrees,
@@ -43,20 +44,77 @@ pub(super) fn page(film: &Film, options: &RecoverOptions, damage: Damage, seed: 
     let edge = radius + 0.25;
     let view = format!("{} {} {} {}", -edge, -edge, 2.0 * edge, 2.0 * edge);
     let subtitle = format!(
-        "Seed {seed}: {} undamaged actions, then {} with the damage {damage}, of which \
-             the robot was not told. Yellow: it has noticed that its predictions fail.",
+        "Seed {seed}, both levels with habits and surprise: {} undamaged actions, then {} with the \
+         damage {damage}, of which the robot was not told.",
         film.knocked,
         captures.len().saturating_sub(film.knocked)
     );
     // `</` cannot end the script from inside a string.
     let data = data.to_string().replace("</", "<\\/");
-    include_str!("page.html")
-        .replace("__TITLE__", "A robot is damaged, and recovers")
+    include_str!("replay.html")
+        .replace("__TITLE__", &title(film, damage))
         .replace("__SUBTITLE__", &subtitle)
         .replace("__VIEW__", &view)
         .replace("__ROOM__", &room)
         .replace("__DATA__", &data)
 }
+
+/// What happened in a film, in numbers; that the robot recovers only if it does.
+fn title(film: &Film, damage: Damage) -> String {
+    let at = |frame: usize| f64::from(film.captures.get(frame).copied().unwrap_or(0));
+    let last = film.captures.len().saturating_sub(1);
+    // Captures in a thousand actions between two frames.
+    let rate = |from: usize, to: usize| 1000.0 * (at(to) - at(from)) / to.abs_diff(from) as f64;
+    let before = rate(0, film.knocked);
+    let first = rate(film.knocked, last.min(film.knocked + 1000));
+    let end = rate(last.saturating_sub(1000).max(film.knocked), last);
+    let outcome = if end >= RECOVERED * before {
+        "recovers"
+    } else {
+        "has not recovered"
+    };
+    format!(
+        "A robot with the damage {damage} {outcome}: captures in 1000 actions {before:.0} before it, \
+         {first:.0} at first, {end:.0} in the last thousand shown"
+    )
+}
+
+/// The share of what it collected before from which on a robot has recovered.
+const RECOVERED: f64 = 0.9;
+
+/// The schemas that the robot acted on most, before and after the damage.
+pub(super) fn spoken(film: &Film) -> String {
+    let mut counts = vec![[0_usize; 2]; film.spoken.len()];
+    for (frame, &thought) in film.thoughts.iter().enumerate() {
+        if let Some(counts) = counts.get_mut(thought) {
+            counts[usize::from(frame >= film.knocked)] += 1;
+        }
+    }
+    let mut order: Vec<usize> = (0..counts.len()).collect();
+    order.sort_by_key(|&it| std::cmp::Reverse(counts[it][0] + counts[it][1]));
+    let rows: String = order
+        .iter()
+        .filter(|&&it| !film.spoken[it].is_empty())
+        .take(LISTED)
+        .map(|&it| {
+            let [before, after] = counts[it];
+            format!(
+                "<tr><td><code>{}</code></td><td class=\"n\">{before}</td>\
+                 <td class=\"n\">{after}</td></tr>\n",
+                escaped(&film.spoken[it])
+            )
+        })
+        .collect();
+    let after = film.thoughts.len().saturating_sub(film.knocked);
+    format!(
+        "<div class=\"scroll\"><table><thead><tr><th>schema</th><th>chosen in {} actions before the \
+         damage</th><th>in {after} after it</th></tr></thead><tbody>\n{rows}</tbody></table></div>",
+        film.knocked
+    )
+}
+
+/// Schemas in the list.
+const LISTED: usize = 16;
 
 /// As the script wants it: which specimen, and where it is now.
 fn flat(&(index, place): &(usize, Option<[f64; 2]>)) -> Value {
@@ -121,13 +179,13 @@ mod tests {
     use super::super::film::Film;
     use super::super::life::Protocol;
     use super::super::options::RecoverOptions;
-    use super::page;
+    use super::{replay, spoken, title};
     use crate::world::config::PioneerConfig;
     use crate::world::damage::Damage;
     use crate::world::setting::WorldOptions;
 
     #[test]
-    fn the_page_is_one_file_that_asks_the_network_for_nothing() {
+    fn the_replay_asks_the_network_for_nothing_and_says_what_happened() {
         let options = RecoverOptions {
             seeds: vec![3],
             world: WorldOptions {
@@ -145,7 +203,7 @@ mod tests {
             world, protocol, ..
         } = &options;
         let film = Film::shot(world, protocol, Damage::Camera(12.0), 3).unwrap();
-        let page = page(&film, &options, Damage::Camera(12.0), 3);
+        let page = replay(&film, &options, Damage::Camera(12.0), 3);
         for word in ["http:", "https:", "src=", "import ", "url(//", "fetch("] {
             let found = page.replace("http://www.w3.org/2000/svg", "");
             assert!(!found.contains(word), "{word}");
@@ -157,5 +215,16 @@ mod tests {
         let frames = page.split("\"captures\":[").nth(1).unwrap();
         let frames = frames.split(']').next().unwrap().split(',').count();
         assert_eq!(frames, 50);
+        assert!(spoken(&film).contains("<code>"));
+        // One capture in four actions, then none, then one in four again.
+        let mut film = Film {
+            knocked: 400,
+            captures: (0..400).map(|it| it / 4).chain([100; 1000]).collect(),
+            ..Film::default()
+        };
+        let damage = Damage::Camera(12.0);
+        assert!(title(&film, damage).contains("has not recovered: captures in 1000 actions 250"));
+        film.captures.extend((0..1200).map(|it| 100 + it / 4));
+        assert!(title(&film, damage).contains("recovers"));
     }
 }
