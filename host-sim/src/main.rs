@@ -20,7 +20,11 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         }
     };
-    match Order::new(&cli) {
+    let ready = Order::new(&cli).and_then(|order| {
+        order.plan.look_for_tools()?;
+        Ok(order)
+    });
+    match ready {
         Ok(order) => run(&order).unwrap_or_else(|failure| fail(&failure)),
         Err(impossible) => refuse(&impossible.to_string()),
     }
@@ -44,6 +48,7 @@ fn run(order: &Order) -> Result<ExitCode, Failure> {
         .filter(|it| !["--resume", "--force", "--table"].contains(&it.as_str()))
         .collect();
     results.summary.command = format!("host-sim {}", arguments.join(" "));
+    results.summary.commit = circumstances.commit().map(str::to_owned);
     let circumstances = circumstances.to_json(&results.summary.command);
     output.write(Circumstances::NAME, circumstances.as_bytes())?;
     results.write(&output)?;

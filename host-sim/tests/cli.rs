@@ -110,6 +110,23 @@ fn a_negative_number_is_answered_alike_with_and_without_an_equals_sign() {
     }
 }
 
+#[test]
+fn what_experiments_need_is_looked_for_before_anything_runs() {
+    let folder = Folder::new("tools");
+    for experiment in ["mcu", "hil"] {
+        let mut command = program(&folder.0, &[experiment]);
+        let command = command.env("PATH", "").env_remove("CARGO");
+        let output = command.output().expect("the program starts");
+        let sentence = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{sentence}");
+        let said =
+            format!("host-sim: {experiment} needs cargo, which is missing: https://rustup.rs");
+        assert!(sentence.starts_with(&said), "{sentence}");
+        assert_eq!(sentence.lines().count(), 1, "{sentence}");
+    }
+    assert!(folder.names().is_empty());
+}
+
 #[cfg(unix)]
 #[test]
 fn a_path_may_have_any_bytes() {
@@ -200,6 +217,9 @@ fn calibrate_writes_its_claims_and_pictures_and_shows_them() {
     let about = fs::read_to_string(here.join("run.json")).expect("it is told how it was made");
     let about: serde_json::Value = serde_json::from_str(&about).expect("JSON");
     assert_eq!(about["command"], summary.command);
+    assert_eq!(about["commit"].as_str(), summary.commit.as_deref());
+    let options = summary.options.expect("it says what it was given");
+    assert_eq!(options["conditions"][0]["driver"], "Sector");
     assert_eq!(about["host"]["architecture"], std::env::consts::ARCH);
     assert!(about["seconds"].as_f64().is_some_and(|it| it > 0.0));
     // Without a terminal there is no progress bar.

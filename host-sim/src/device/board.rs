@@ -52,8 +52,8 @@ impl Build {
     pub fn build(&self) -> Result<PathBuf, Failure> {
         static TURN: Mutex<()> = Mutex::new(());
         let _turn = TURN.lock();
-        let folder = folder();
-        let mut cargo = cargo();
+        let folder = folder()?;
+        let mut cargo = cargo(&folder);
         cargo.args([
             "build",
             "--release",
@@ -180,16 +180,77 @@ pub fn section_bytes(program: &Path, name: &str) -> Result<u64, Failure> {
     Ok(named.map(|it| it.size()).sum())
 }
 
-/// The folder of the firmware, beside this crate's.
-#[must_use]
-pub fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-example")
+/// The folder of the firmware, in the checkout that this program lies in, or else in the one that
+/// the current directory lies in; where a checkout was when it was compiled is not asked.
+///
+/// # Errors
+/// [`Impossible`] when neither lies in a checkout.
+pub fn folder() -> Result<PathBuf, Impossible> {
+    let starts = [env::current_exe().ok(), env::current_dir().ok()];
+    let found = starts.iter().flatten().find_map(|it| firmware_above(it));
+    found.ok_or_else(|| {
+        Impossible::new(
+            "neither the program nor the current directory lies in a checkout of this project, of \
+             which the firmware in firmware-example is built; run it there",
+        )
+    })
+}
+
+/// The folder of the firmware beside the core, in the nearest directory above that has both.
+fn firmware_above(place: &Path) -> Option<PathBuf> {
+    let both = ["firmware-example", "cla-core"];
+    let whole = |root: &&Path| {
+        let mut folders = both.iter().map(|it| root.join(it).join("Cargo.toml"));
+        folders.all(|it| it.is_file())
+    };
+    let root = place.ancestors().find(whole)?;
+    Some(root.join(both[0]))
+}
+
+/// Whether everything is there that builds the firmware for some processors and emulates them.
+///
+/// # Errors
+/// [`Impossible`] with the first thing that is missing and how to install it.
+pub fn look_for_tools(what: &str, targets: &[Target]) -> Result<(), Impossible> {
+    let folder = folder()?;
+    let missing = |it: &str, how: &str| {
+        Impossible::new(format!("{what} needs {it}, which is missing: {how}"))
+    };
+    let rust = "https://rustup.rs installs it";
+    if !starts(cargo(&folder).arg("--version")) {
+        return Err(missing("cargo", rust));
+    }
+    let mut rustc = Command::new("rustc");
+    let sysroot = rustc.args(["--print", "sysroot"]).current_dir(&folder);
+    let sysroot = sysroot.output().map_err(|_| missing("rustc", rust))?;
+    let sysroot = String::from_utf8_lossy(&sysroot.stdout).trim().to_owned();
+    for target in targets {
+        let triple = target.triple();
+        if !Path::new(&sysroot)
+            .join("lib/rustlib")
+            .join(triple)
+            .is_dir()
+        {
+            let it = format!("the Rust target {triple}");
+            return Err(missing(&it, &format!("rustup target add {triple}")));
+        }
+        let (qemu, package) = target.qemu();
+        if !starts(Command::new(qemu).arg("--version")) {
+            let how = format!("apt-get install {package} on Debian, brew install qemu on macOS");
+            return Err(missing(qemu, &how));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a program can be started and ends well.
+fn starts(program: &mut Command) -> bool {
+    program.output().is_ok_and(|it| it.status.success())
 }
 
 /// A cargo that builds the firmware as its user would: in its folder, with its settings and not
 /// with those of the build that runs this.
-#[must_use]
-pub fn cargo() -> Command {
+fn cargo(folder: &Path) -> Command {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     let ours = |name: &OsStr| {
         let name = name.to_string_lossy();
@@ -198,13 +259,27 @@ pub fn cargo() -> Command {
     for (name, _) in env::vars_os().filter(|(name, _)| ours(name)) {
         cargo.env_remove(name);
     }
-    cargo.current_dir(folder());
+    cargo.current_dir(folder);
     cargo
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Printed;
+    use std::path::Path;
+
+    use super::{Printed, firmware_above, folder};
+
+    #[test]
+    fn the_firmware_is_that_of_the_checkout_that_the_program_lies_in() {
+        let folder = folder().unwrap();
+        assert!(folder.join("src/bin").is_dir());
+        let root = folder.parent().unwrap();
+        assert_eq!(
+            firmware_above(&root.join("host-sim/src")),
+            Some(folder.clone())
+        );
+        assert_eq!(firmware_above(Path::new("/")), None);
+    }
 
     #[test]
     fn numbers_are_found_by_the_words_before_them() {

@@ -41,6 +41,15 @@ impl Target {
         }
     }
 
+    /// The emulator, and the package that has it on Debian.
+    #[must_use]
+    pub const fn qemu(self) -> (&'static str, &'static str) {
+        match self {
+            Self::M4f | Self::M0 => ("qemu-system-arm", "qemu-system-arm"),
+            Self::Riscv => ("qemu-system-riscv32", "qemu-system-misc"),
+        }
+    }
+
     /// The emulator and its machine; an instruction takes 64 ns on the Arm boards, 1 ns on RISC-V.
     const fn machine(self) -> [&'static str; 5] {
         match self {

@@ -14,7 +14,7 @@ pub mod recover;
 
 use crate::report::Claim;
 
-/// What an experiment claims with its standard options, as it is written before anything has run.
+/// What an experiment claims with its standard options, with nothing measured.
 ///
 /// `None` where the claims come of programs that must be built first, as those of `mcu` do.
 ///

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::plan::Experiment;
 use super::record::{line, read};
-use crate::failure::Failure;
+use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
 use crate::report::{Journal, Results};
 
@@ -103,12 +103,15 @@ fn judge_what_there_is<E: Experiment>(
         .filter_map(|(case, trial)| Some((case, trial?)))
         .unzip();
     if done.len() == all {
-        return E::judge(options, &trials);
+        let mut results = E::judge(options, &trials)?;
+        results.summary.options = Some(serde_json::to_value(options)?);
+        return Ok(results);
     }
     let how_far = format!("{} of {all} trials", done.len());
     let part = E::part(options, &done).filter(|_| !done.is_empty());
     let part = part.ok_or_else(|| format!("interrupted after {how_far}"))?;
     let mut results = E::judge(&part, &trials)?;
+    results.summary.options = Some(serde_json::to_value(&part)?);
     results.summary.parameter(Journal::UNFINISHED, how_far);
     Ok(results)
 }
@@ -117,6 +120,12 @@ fn judge_what_there_is<E: Experiment>(
 pub trait Planned: fmt::Debug {
     /// Its name.
     fn name(&self) -> &'static str;
+
+    /// Looks for what it needs before anything runs.
+    ///
+    /// # Errors
+    /// As [`Experiment::look_for_tools`].
+    fn look_for_tools(&self) -> Result<(), Impossible>;
 
     /// Makes the trials that the journal does not have, and judges all.
     ///
@@ -135,6 +144,10 @@ pub struct Plan<E: Experiment>(
 impl<E: Experiment + fmt::Debug> Planned for Plan<E> {
     fn name(&self) -> &'static str {
         E::NAME
+    }
+
+    fn look_for_tools(&self) -> Result<(), Impossible> {
+        E::look_for_tools()
     }
 
     fn run(&self, progress: &Progress, journal: &Journal) -> Result<Results, Failure> {

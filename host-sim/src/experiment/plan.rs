@@ -10,7 +10,7 @@ use std::fmt;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, Impossible};
 use crate::progress::{Progress, Ticker};
 use crate::report::Results;
 
@@ -68,6 +68,14 @@ pub trait Experiment {
 
     /// The cases, in the order in which [`judge`](Self::judge) gets their trials.
     fn cases(options: &Self::Options) -> Vec<Self::Case>;
+
+    /// Looks for programs of others that trials start; called before anything runs.
+    ///
+    /// # Errors
+    /// [`Impossible`] with the first that is missing.
+    fn look_for_tools() -> Result<(), Impossible> {
+        Ok(())
+    }
 
     /// The options of which these are all the cases, if some cases can be judged without the others.
     fn part(_: &Self::Options, _: &[Self::Case]) -> Option<Self::Options> {

@@ -5,7 +5,7 @@
 use std::process::Command;
 use std::time::Instant;
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::place::now;
 
@@ -23,6 +23,7 @@ use super::place::now;
 pub struct Circumstances {
     begun: String,
     clock: Instant,
+    commit: Option<String>,
 }
 
 impl Circumstances {
@@ -35,22 +36,23 @@ impl Circumstances {
         Self {
             begun: now(),
             clock: Instant::now(),
+            commit: commit(),
         }
+    }
+
+    /// The commit of the checkout that the program was built from, `-dirty` when something in it has
+    /// changed; `None` where there is none any more.
+    #[must_use]
+    pub fn commit(&self) -> Option<&str> {
+        self.commit.as_deref()
     }
 
     /// At its end; a run that was resumed tells of its last part.
     #[must_use]
     pub fn to_json(&self, command: &str) -> String {
-        // The checkout that the program was built from; `-dirty` when something in it has changed.
-        let checkout = env!("CARGO_MANIFEST_DIR");
-        let commit = "describe --always --dirty --abbrev=40 --exclude=*";
-        let commit: Vec<&str> = ["-C", checkout]
-            .into_iter()
-            .chain(commit.split(' '))
-            .collect();
         let noted = json!({
             "command": command,
-            "commit": said("git", &commit),
+            "commit": self.commit,
             "host": {
                 "name": said("uname", &["-n"]),
                 "system": std::env::consts::OS,
@@ -65,10 +67,18 @@ impl Circumstances {
 }
 
 /// What a program says in one line; nothing where there is no such program or it fails.
-fn said(program: &str, arguments: &[&str]) -> Value {
+fn said(program: &str, arguments: &[&str]) -> Option<String> {
     let output = Command::new(program).args(arguments).output();
-    let output = output.ok().filter(|it| it.status.success());
-    output.map_or(Value::Null, |it| {
-        String::from_utf8_lossy(&it.stdout).trim().into()
-    })
+    let output = output.ok().filter(|it| it.status.success())?;
+    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+fn commit() -> Option<String> {
+    let checkout = env!("CARGO_MANIFEST_DIR");
+    let describe = "describe --always --dirty --abbrev=40 --exclude=*";
+    let arguments: Vec<&str> = ["-C", checkout]
+        .into_iter()
+        .chain(describe.split(' '))
+        .collect();
+    said("git", &arguments)
 }

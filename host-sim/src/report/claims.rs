@@ -1,7 +1,7 @@
 //! Claims as data: what was expected, what was measured, how it was judged.
 //!
-//! The first fields of a [`Claim`] are written before anything runs, `per_seed` and `against` are
-//! measured, and everything else follows from these: `judge` computes it, here and again from a
+//! The first fields of a [`Claim`] are stated in the program, apart from what is measured;
+//! `per_seed` and `against` are measured, and everything else follows from these: `judge` computes it, here and again from a
 //! committed file.
 
 use core::fmt;
@@ -223,11 +223,12 @@ pub struct Claim {
     pub estimator: Estimator,
     /// The number to compare with, where there is one.
     pub reference: Option<Reference>,
-    /// What is asked, written before anything ran.
+    /// What is asked: stated in the program, whatever is measured; `docs/claims-ledger.tsv` says since
+    /// when, which for many is after earlier runs had been looked at.
     pub rule: Rule,
     /// The family within which its test is corrected.
     pub family: String,
-    /// A sentence beside the numbers, written before anything ran.
+    /// A sentence beside the numbers that says what is measured, never what came out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
     /// The measurement of every seed, in the summary's order of seeds; `None` where it is missing.

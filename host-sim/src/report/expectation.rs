@@ -8,7 +8,7 @@ use super::claims::{Claim, Estimator, Origin, Ours, Reference, Verdict};
 use super::judge::judge;
 use super::rule::Rule;
 
-/// A statement to be tested, before anything has run.
+/// A statement to be tested, with nothing measured.
 ///
 /// ```
 /// use host_sim::report::{Better, Expectation, Rule, Verdict};

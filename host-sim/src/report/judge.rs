@@ -53,7 +53,7 @@ pub(super) fn judge(claims: &mut [Claim]) {
 }
 
 impl Claim {
-    /// What was written before anything ran, with nothing measured.
+    /// What is stated in the program, with nothing measured.
     ///
     /// ```
     /// use host_sim::report::Expectation;

@@ -38,12 +38,18 @@ pub struct Summary {
     pub version: String,
     /// The command line that gives this result again.
     pub command: String,
+    /// The commit that the program was built from, `-dirty` with changes; not in older files.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub commit: Option<String>,
     /// What the results may be called, by their seeds.
     pub status: Status,
     /// The seeds, in the order of every claim's measurements.
     pub seeds: Vec<u64>,
-    /// Everything else that decides the result.
+    /// Everything else that decides the result, in words.
     pub parameters: BTreeMap<String, Value>,
+    /// All options of the experiment as they were given to it; not in older files.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub options: Option<Value>,
     /// How many claims came out how.
     pub verdicts: BTreeMap<String, u32>,
     /// The claims.
@@ -88,9 +94,11 @@ impl Summary {
             experiment: experiment.to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             command: String::new(),
+            commit: None,
             status: Status::of(seeds),
             seeds: seeds.to_vec(),
             parameters: BTreeMap::new(),
+            options: None,
             verdicts: BTreeMap::new(),
             claims: Vec::new(),
             tables: BTreeMap::new(),

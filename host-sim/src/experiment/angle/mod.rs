@@ -73,7 +73,7 @@ impl Experiment for Angle {
     }
 }
 
-/// What is claimed, before anything has run.
+/// What is claimed, with nothing measured.
 pub(super) fn declared() -> Vec<Claim> {
     claims::summary(&AngleOptions::standard(Vec::new()), &[]).claims
 }

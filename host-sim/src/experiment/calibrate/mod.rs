@@ -66,7 +66,7 @@ impl Experiment for Calibrate {
     }
 }
 
-/// What is claimed, before anything has run.
+/// What is claimed, with nothing measured.
 pub(super) fn declared() -> Vec<Claim> {
     claims::declared()
 }

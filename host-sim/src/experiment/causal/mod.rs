@@ -70,7 +70,7 @@ impl Experiment for Causal {
     }
 }
 
-/// What is claimed, before anything has run.
+/// What is claimed, with nothing measured.
 pub(super) fn declared() -> Vec<Claim> {
     claims::summary(&CausalOptions::standard(Vec::new()), &[]).claims
 }

@@ -80,7 +80,7 @@ impl Experiment for Forage {
     }
 }
 
-/// What is claimed, before anything has run.
+/// What is claimed, with nothing measured.
 pub(super) fn declared() -> Vec<Claim> {
     claims::claims(&[])
 }

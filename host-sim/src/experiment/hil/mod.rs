@@ -12,9 +12,10 @@ pub use options::HilOptions;
 pub use trial::Life;
 
 use super::plan::Experiment;
+use crate::device::board::look_for_tools;
 use crate::device::meter::Load;
 use crate::device::target::Target;
-use crate::failure::Failure;
+use crate::failure::{Failure, Impossible};
 use crate::progress::Ticker;
 use crate::report::Results;
 
@@ -29,6 +30,10 @@ impl Experiment for Hil {
 
     const NAME: &'static str = "hil";
     const PHASE: &'static str = "living in the loop";
+
+    fn look_for_tools() -> Result<(), Impossible> {
+        look_for_tools(Self::NAME, &[Target::M4f])
+    }
 
     fn cases(options: &HilOptions) -> Vec<u64> {
         options.seeds.clone()

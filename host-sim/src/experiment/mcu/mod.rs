@@ -13,8 +13,10 @@ pub use options::McuOptions;
 pub use trial::{Case, Lives, Trial};
 
 use super::plan::Experiment;
+use crate::device::board::look_for_tools;
 use crate::device::meter::Load;
-use crate::failure::Failure;
+use crate::device::target::Target;
+use crate::failure::{Failure, Impossible};
 use crate::progress::Ticker;
 use crate::report::Results;
 
@@ -29,6 +31,10 @@ impl Experiment for Mcu {
 
     const NAME: &'static str = "mcu";
     const PHASE: &'static str = "living on microcontrollers";
+
+    fn look_for_tools() -> Result<(), Impossible> {
+        look_for_tools(Self::NAME, &Target::ALL)
+    }
 
     fn cases(options: &McuOptions) -> Vec<Case> {
         let seeds = options.seeds.iter().map(|&seed| Case::Seed(seed));

@@ -30,7 +30,7 @@ pub fn cmsis() -> Result<u64, Failure> {
     if env::var_os("CMSIS_DSP").is_none() {
         return Ok(CMSIS_LAST.0);
     }
-    let output = Command::new(folder().join("peers/run")).output()?;
+    let output = Command::new(folder()?.join("peers/run")).output()?;
     if !output.status.success() {
         return Err(String::from_utf8_lossy(&output.stderr).into());
     }
@@ -203,7 +203,7 @@ fn plain(stimuli: &[Stimulus]) -> Trained {
 }
 
 fn minisom(stimuli: &[Stimulus]) -> Result<Option<Trained>, Failure> {
-    let script = folder().join("../tests/fixtures/time_minisom.py");
+    let script = folder()?.join("../tests/fixtures/time_minisom.py");
     let python = Command::new("python3")
         .arg(script)
         .env("OMP_NUM_THREADS", "1")

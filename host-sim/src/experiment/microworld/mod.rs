@@ -84,7 +84,7 @@ impl Experiment for Chapter5 {
     }
 }
 
-/// What is claimed, before anything has run.
+/// What is claimed, with nothing measured.
 pub(super) fn declared() -> Vec<Claim> {
     claims::claims(&[])
 }

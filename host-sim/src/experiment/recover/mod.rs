@@ -99,7 +99,7 @@ impl Experiment for Recover {
     }
 }
 
-/// What is claimed of every damage and of none, before anything has run.
+/// What is claimed of every damage and of none, with nothing measured.
 pub(super) fn declared() -> Vec<Claim> {
     let parse = |text: &&str| Damage::parse(text, &ITEMS, &ACTIONS).ok();
     let reported = Damage::REPORTED.iter().filter_map(parse);
