@@ -9,29 +9,35 @@ use cla_tests::claims::files;
 use cla_tests::root;
 use host_sim::report::{Claim, Summary, Verdict};
 
-/// The findings on the front page; what stands in braces is filled in, see [`fill`].
-const FINDINGS: &str = "\
-| experiment | finding | ours | beside it |
-|---|---|---:|---:|
-| `calibrate` | actions to clear a room of 5 m in steps of 0.5 m, median | {calibrate.actions.R5_f0_5:0} | Stage 1.3.4 {calibrate.actions.R5_f0_5:1:printed} |
-| `forage` | captures of 28; the book read literally | {forage.captures.level1_removed:2:sd}; {forage.captures.book:1:sd} | book {forage.captures.level1_removed:2:printed} |
-| `forage` | captures in 3000 actions when specimens reappear, level 1 | {forage.captures.level1:1:sd} | servo on the same percept {forage.baseline.sector_nearest:1:sd} |
-| `forage` | both levels with habits, after 20,000 actions | {forage.captures.level2:1:sd} | level 1 after as many {forage.captures.level1_20000:1:sd} |
-| `recover` | first 3000 actions after the camera was turned by 12° | {recover.camera.over_sarsa_3000:1:ours} | Sarsa(λ) {recover.camera.over_sarsa_3000:1:against} |
-| `recover` | damages of 13 in which both levels are ahead of Sarsa(λ) after Holm's correction | {recover.family.ahead_after_holm:0} | – |
-| `recover` | reliability of level 2 before and after the damage | {recover.camera.level2_predictions_before:3}; {recover.camera.level2_predictions_after:3} | book .886; .446 |
-| `causal` | Direct–Delay+Gap and Direct–Gap over Delay–Gap | {causal.direct_vs_delaygap:2}; {causal.direct_vs_gap:2} | book 1.80; 1.52 |
-| `microworld` | the book's 23 equations, raw and simplified | {micro.equations:1}; {micro.equations_simplified:1} | book {micro.equations:0:printed} |
-| `microworld` | changes predicted after 10,000 actions, in 62 kB | {micro.recall.simplified:3} | marginal attribution {micro.drescher.recall.10k:3}, 2.2 MB |
-";
+/// The documents with the tables that are filled in from `tests/tables/<name>.md`.
+fn tables() -> Vec<(String, String, String)> {
+    let folder = root().join("tests/tables");
+    let entries = fs::read_dir(&folder).expect("the templates can be listed");
+    let mut tables: Vec<(String, String, String)> = entries
+        .map(|entry| {
+            let path = entry.expect("a template").path();
+            let name = path.file_stem().expect("a name").to_string_lossy();
+            let document = match &*name {
+                "findings" => "README.md".to_owned(),
+                page => format!("docs/findings/{page}.md"),
+            };
+            let template = fs::read_to_string(&path).expect("a template can be read");
+            (document, name.into_owned(), template)
+        })
+        .collect();
+    tables.sort();
+    tables
+}
 
 fn summaries() -> Vec<Summary> {
     let read = |text: &str| Summary::from_json(text).expect("a claims file");
     files().iter().map(|file| read(&file.text)).collect()
 }
 
-/// `{id:digits}` becomes the claim's estimate, `{id:digits:sd}` that with its deviation, `printed`
-/// the number it is compared with, `ours` and `against` each arm of its pairs by itself.
+/// `{id:digits}` becomes the claim's estimate, `{id:digits:sd}` that with its deviation, `median` the
+/// median of its seeds, `printed` the number it is compared with (`mean_printed` without deviation),
+/// `ours` and `against` each arm of its pairs by itself; digits are `3`, `.3` (no 0 before the point),
+/// `0,` (thousands apart) or `0%`.
 fn fill(template: &str, summaries: &[Summary]) -> String {
     let mut text = String::new();
     let mut rest = template;
@@ -40,18 +46,44 @@ fn fill(template: &str, summaries: &[Summary]) -> String {
         let parts: Vec<&str> = place.split(':').collect();
         let claim = summaries.iter().find_map(|it| it.find(parts[0]));
         let claim = claim.unwrap_or_else(|| panic!("no claim {place}"));
-        let digits = parts[1].parse().expect("a number of digits");
         text.push_str(before);
-        text.push_str(&number(claim, digits, parts.get(2).copied().unwrap_or("")));
+        text.push_str(&number(
+            claim,
+            parts[1],
+            parts.get(2).copied().unwrap_or(""),
+        ));
         rest = after;
     }
     text + rest
 }
 
-fn number(claim: &Claim, digits: usize, what: &str) -> String {
+/// A number as a table has it.
+fn written(value: f64, digits: &str) -> String {
+    let count = |digits: &str| digits.parse::<usize>().expect("a number of digits");
+    if let Some(digits) = digits.strip_prefix('.') {
+        let text = format!("{value:.*}", count(digits));
+        return text
+            .strip_prefix("0.")
+            .map_or(text.clone(), |it| format!(".{it}"));
+    }
+    if let Some(digits) = digits.strip_suffix('%') {
+        return format!("{:.*} %", count(digits), 100.0 * value);
+    }
+    if let Some(digits) = digits.strip_suffix(',') {
+        let text = format!("{value:.*}", count(digits));
+        let apart = text.as_bytes().rchunks(3).rev();
+        let apart: Vec<String> = apart
+            .map(|it| String::from_utf8_lossy(it).into_owned())
+            .collect();
+        return apart.join(",");
+    }
+    format!("{value:.*}", count(digits))
+}
+
+fn number(claim: &Claim, digits: &str, what: &str) -> String {
     let spread = |value: f64, sd: Option<f64>| {
-        let sd = sd.map_or_else(String::new, |sd| format!(" ± {sd:.digits$}"));
-        format!("{value:.digits$}{sd}")
+        let sd = sd.map_or_else(String::new, |sd| format!(" ± {}", written(sd, digits)));
+        format!("{}{sd}", written(value, digits))
     };
     let arm = |seeds: &[Option<f64>]| {
         let seeds: Vec<f64> = seeds.iter().flatten().copied().collect();
@@ -63,9 +95,13 @@ fn number(claim: &Claim, digits: usize, what: &str) -> String {
             let value = claim.ours.value.expect("an estimate");
             spread(value, claim.ours.sd.filter(|_| what == "sd"))
         }
-        "printed" => {
+        "median" => {
+            let seeds: Vec<f64> = claim.per_seed.iter().flatten().copied().collect();
+            spread(host_sim::report::median(&seeds), None)
+        }
+        "printed" | "mean_printed" => {
             let printed = claim.reference.as_ref().expect("a printed number");
-            spread(printed.mean, printed.sd)
+            spread(printed.mean, printed.sd.filter(|_| what == "printed"))
         }
         "ours" => arm(&claim.per_seed),
         "against" => arm(claim.against.as_ref().expect("pairs")),
@@ -105,7 +141,8 @@ fn verdicts(summaries: &[Summary]) -> String {
 /// The text with the part between a table's markers replaced.
 fn with_table(text: &str, name: &str, table: &str) -> String {
     let marker = format!("<!-- claims: {name} -->\n");
-    let (before, rest) = text.split_once(&marker).expect("the table has its marker");
+    let parts = text.split_once(&marker);
+    let (before, rest) = parts.unwrap_or_else(|| panic!("no document has the marker {marker}"));
     let (_, after) = rest
         .split_once("<!-- end -->")
         .expect("the table has an end");
@@ -115,13 +152,15 @@ fn with_table(text: &str, name: &str, table: &str) -> String {
 #[test]
 fn the_tables_of_the_documents_say_what_the_claims_say() {
     let summaries = summaries();
-    for (path, name, table) in [
-        ("README.md", "findings", fill(FINDINGS, &summaries)),
-        ("docs/claims.md", "verdicts", verdicts(&summaries)),
-    ] {
+    let filled = tables()
+        .into_iter()
+        .map(|(document, name, template)| (document, name, fill(&template, &summaries)));
+    let (document, name) = ("docs/claims.md".to_owned(), "verdicts".to_owned());
+    let counted = (document, name, verdicts(&summaries));
+    for (path, name, table) in filled.chain([counted]) {
         let path = root().join(path);
         let text = fs::read_to_string(&path).expect("the document can be read");
-        let told = with_table(&text, name, &table);
+        let told = with_table(&text, &name, &table);
         if std::env::var_os("UPDATE_CLAIMS").is_some() {
             fs::write(&path, told).expect("the document can be written");
         } else {
@@ -130,6 +169,20 @@ fn the_tables_of_the_documents_say_what_the_claims_say() {
                 "run UPDATE_CLAIMS=1 cargo test -p cla-tests --test claims_tables"
             );
         }
+    }
+}
+
+#[test]
+fn numbers_are_written_in_four_ways() {
+    for (value, digits, text) in [
+        (0.1345, "3", "0.135"),
+        (0.1344, ".3", ".134"),
+        (1.83, ".2", "1.83"),
+        (0.45, "0%", "45 %"),
+        (1_420.0, "0,", "1,420"),
+        (85_156.2, "0,", "85,156"),
+    ] {
+        assert_eq!(written(value, digits), text);
     }
 }
 
