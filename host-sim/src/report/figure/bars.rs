@@ -207,7 +207,7 @@ fn chart(page: &Canvas<'_>, area: Area, unit: &str, bars: &[Bar], scale: Scale) 
                 .dim()
                 .across(HPos::Center)
                 .down(VPos::Bottom);
-            pen.write(page, "not here", (place, height(0.0) - 4))?;
+            pen.write(page, "no value", (place, height(0.0) - 4))?;
             place += 2 * half + 2;
         }
         for (value, error, ours) in ours.into_iter().chain(beside) {
