@@ -21,16 +21,19 @@ pub enum Voice {
     Model,
     /// Model and habits, half each.
     ModelAndHabits,
+    /// What reason foresees, habits where it foresees nothing; only where there is a reason.
+    Plans,
 }
 
 impl Voice {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::TreesAndHabits,
         Self::Trees,
         Self::Habits,
         Self::Model,
         Self::ModelAndHabits,
+        Self::Plans,
     ];
 }
 
@@ -48,7 +51,8 @@ impl Heard {
     /// Those that a robot hears when it asks for nothing else.
     pub const DEFAULT: Self = Self::only(Voice::TreesAndHabits)
         .and(Voice::Model)
-        .and(Voice::ModelAndHabits);
+        .and(Voice::ModelAndHabits)
+        .and(Voice::Plans);
 
     pub(super) const NOBODY: Self = Self(0);
 
@@ -68,6 +72,12 @@ impl Heard {
     #[must_use]
     pub const fn contains(self, voice: Voice) -> bool {
         self.0 >> voice as u8 & 1 == 1
+    }
+
+    /// All but one voice.
+    #[must_use]
+    pub const fn without(self, voice: Voice) -> Self {
+        Self(self.0 & !(1 << voice as u8))
     }
 
     pub(super) const fn bits(self) -> u8 {
@@ -221,6 +231,32 @@ impl MindConfig {
         Ok(())
     }
 }
+
+/// The all-zero configuration of the unborn.
+pub(super) const NO_CONFIG: MindConfig = MindConfig {
+    exploring: 0.0,
+    exploring_acting: 0.0,
+    discount: 0.0,
+    lambda: 0.0,
+    habit_discount: 0.0,
+    habit_lambda: 0.0,
+    habit_rate: 0.0,
+    habit_rate_doubting: 0.0,
+    remembered_doubting: 0.0,
+    doubting: Doubting::Never,
+    block: 0,
+    trying: 0.0,
+    trying_acting: 0.0,
+    patience: 0,
+    burst: 0,
+    heard: Heard::NOBODY,
+    model_discount: 0.0,
+    remembered: 0.0,
+    prior: 0.0,
+    felt: 0.0,
+    spread: 0,
+    work: 0,
+};
 
 /// What cannot work in a [`MindConfig`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -17,7 +17,8 @@ impl<
     const ROWS: usize,
     const STATES: usize,
     const LINKS: usize,
-> Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS>
+    R,
+> Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS, R>
 {
     /// Items that matter.
     #[must_use]

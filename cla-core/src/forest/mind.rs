@@ -4,17 +4,18 @@
 //! All memory is inside the value, all of it zero at first: a static mind costs no flash.
 
 use super::budget::WorkBudget;
-use super::config::{Doubting, Heard, MindConfig, Voice};
+use super::config::{Doubting, Heard, MindConfig, NO_CONFIG, Voice};
 use super::doubt::Doubt;
 use super::memory::Sample;
 use super::model::{Model, ModelRates, State};
 use super::moment::{Moment, NO_ACTION};
 use super::runs::Runs;
 use super::sarsa::{Rates, Sarsa, Scene, number, row};
-use super::step::{Actions, Deliberation, MOST_REWARD, MindError, Motive, Taught};
+use super::step::{Actions, Deliberation, MindError, Motive, Taught, check_reward};
 use super::trees::{Forest, Horizon};
 use super::voices::Voices;
 use crate::num::Rng;
+use crate::reason::Reasoning;
 use crate::word::{ActionId, ItemSet, ItemStates};
 
 /// How many voices there are.
@@ -22,6 +23,9 @@ const VOICES: usize = Voice::ALL.len();
 
 /// The share of taken rows above which tables are crowded.
 const CROWDED: f32 = 0.5;
+
+/// Random actions that follow each other where there is a reason: plans undo a single one at once.
+const STROLL: u16 = 20;
 
 /// Values closer than this are the same.
 const CLOSE: f32 = 1.0e-6;
@@ -38,7 +42,8 @@ enum Age {
 /// A learner in fixed memory, the same in every world.
 ///
 /// Capacities: words of an item set, items, actions, stretches of sixteen samples, leaves of a tree
-/// of all actions, rows of the habits' last step, states and links of the model.
+/// of all actions, rows of the habits' last step, states and links of the model; and a reason, `()` for
+/// none.
 ///
 /// ```
 /// use cla_core::word::{ActionId, ItemId, ItemStates};
@@ -71,6 +76,7 @@ pub struct Mind<
     const ROWS: usize,
     const STATES: usize,
     const LINKS: usize,
+    R = (),
 > {
     pub(super) forest: Forest<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES>,
     pub(super) habits: Sarsa<WORDS, ITEMS, ACTIONS, ROWS>,
@@ -83,7 +89,7 @@ pub struct Mind<
     pub(super) runs: Runs<ITEMS>,
     pub(super) doubt: Doubt,
     values: [f32; ITEMS],
-    config: MindConfig,
+    pub(super) config: MindConfig,
     rng: Rng,
     age: Age,
     /// What was perceived when the last action was chosen, and that action.
@@ -91,12 +97,19 @@ pub struct Mind<
     last: u8,
     /// The action whose result is awaited, where it was chosen, and why.
     chosen: u8,
-    now: ItemStates<WORDS>,
+    pub(super) now: ItemStates<WORDS>,
     /// Actions since anything was earned, how long that mostly is, and how often it happened.
     since: u16,
     wait: f32,
     earned: u16,
     burst: u16,
+    pub(super) reason: R,
+    /// Whether the leader of the block chose.
+    led: bool,
+    /// Actions of chance that follow each other, those that are left.
+    stroll: u16,
+    /// What the last choice was, for whom asks why.
+    pub(super) said: Option<Deliberation>,
 }
 
 impl<
@@ -108,11 +121,12 @@ impl<
     const ROWS: usize,
     const STATES: usize,
     const LINKS: usize,
-> Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS>
+    R: Reasoning<WORDS, ITEMS, ACTIONS>,
+> Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS, R>
 {
-    /// An unborn mind of all-zero memory.
+    /// An unborn mind of all-zero memory, with the reason of its type, if any.
     #[must_use]
-    pub const fn new() -> Self {
+    pub const fn unborn() -> Self {
         const {
             assert!(ITEMS <= WORDS * 32, "an item needs a bit: 32 for each word");
             assert!(ACTIONS > 0 && ACTIONS <= 32, "a robot has 1 to 32 actions");
@@ -136,7 +150,7 @@ impl<
             runs: Runs::new(),
             doubt: Doubt::new(),
             values: [0.0; ITEMS],
-            config: ZERO,
+            config: NO_CONFIG,
             rng: Rng::UNSEEDED,
             age: Age::Unborn,
             before: ItemStates::UNKNOWN,
@@ -147,6 +161,10 @@ impl<
             wait: 0.0,
             earned: 0,
             burst: 0,
+            reason: R::NEW,
+            led: false,
+            stroll: 0,
+            said: None,
         }
     }
 
@@ -173,6 +191,10 @@ impl<
         self.voices = Voices::new();
         self.runs = Runs::new();
         self.doubt = Doubt::new();
+        self.reason.begin(values, seed);
+        self.led = false;
+        self.stroll = 0;
+        self.said = None;
         self.values = values;
         self.config = config;
         self.age = Age::Training;
@@ -194,10 +216,11 @@ impl<
         self.age = Age::Acting;
         self.since = 0;
         self.burst = 0;
+        self.stroll = 0;
         Ok(())
     }
 
-    fn born(&self) -> Result<(), MindError> {
+    pub(super) fn born(&self) -> Result<(), MindError> {
         if self.age == Age::Unborn {
             return Err(MindError::Unborn);
         }
@@ -230,7 +253,16 @@ impl<
             return Err(MindError::NothingAllowed);
         }
         let seen = self.runs.believed(now);
-        let leader = self.leader();
+        if let Some(step) = self.step(&seen, allowed) {
+            self.led = false;
+            return Ok(self.settle(step, seen));
+        }
+        self.led = !self.trusts(&seen);
+        let leader = if self.led {
+            self.leader()
+        } else {
+            Voice::Plans
+        };
         let values = self.speak(leader, &seen);
         let mut motive = Motive::Voice(leader);
         let mut best = f32::MIN;
@@ -264,13 +296,20 @@ impl<
                 drawn -= 1;
             }
         }
-        self.chosen = action.0 as u8;
-        self.now = seen;
-        Ok(Deliberation {
+        let value = values.get(usize::from(action.0)).copied().unwrap_or(0.0);
+        let choice = Deliberation {
             action,
-            value: values.get(usize::from(action.0)).copied().unwrap_or(0.0),
+            value,
             motive,
-        })
+        };
+        Ok(self.settle(choice, seen))
+    }
+
+    fn settle(&mut self, choice: Deliberation, seen: ItemStates<WORDS>) -> Deliberation {
+        self.chosen = choice.action.0 as u8;
+        self.now = seen;
+        self.said = Some(choice);
+        choice
     }
 
     fn leader(&mut self) -> Voice {
@@ -278,7 +317,11 @@ impl<
             Age::Acting => self.config.trying_acting,
             _ => self.config.trying,
         };
-        let heard = self.config.heard.bits();
+        let mut heard = self.config.heard;
+        if !R::THERE && heard != Heard::only(Voice::Plans) {
+            heard = heard.without(Voice::Plans);
+        }
+        let heard = heard.bits();
         let leader = self
             .voices
             .lead(self.config.block, trying, heard, &mut self.rng);
@@ -288,11 +331,20 @@ impl<
 
     /// Whether it does anything at all, and why.
     fn restless(&mut self) -> Option<Motive> {
+        if self.is_lost() {
+            return Some(Motive::Chance);
+        }
+        if self.stroll > 0 {
+            self.stroll -= 1;
+            return Some(Motive::Chance);
+        }
         let share = match self.age {
             Age::Acting => self.config.exploring_acting,
             _ => self.config.exploring,
         };
-        if self.rng.chance(share) {
+        let stroll = if R::THERE { STROLL } else { 1 };
+        if self.rng.chance(share / f32::from(stroll)) {
+            self.stroll = stroll - 1;
             return Some(Motive::Chance);
         }
         if self.burst == 0 && self.earned > 0 {
@@ -309,7 +361,7 @@ impl<
         None
     }
 
-    fn moment(&self, now: &ItemStates<WORDS>) -> Moment<WORDS> {
+    pub(super) fn moment(&self, now: &ItemStates<WORDS>) -> Moment<WORDS> {
         let mut moment = Moment::first(now);
         if self.last != NO_ACTION {
             moment.before = self.before;
@@ -348,6 +400,7 @@ impl<
             Voice::Habits => habits(),
             Voice::Model => model(),
             Voice::ModelAndHabits => halves(model(), habits()),
+            Voice::Plans => self.plans(now).unwrap_or_else(habits),
         }
     }
 
@@ -376,13 +429,18 @@ impl<
         let reward = reward + self.worth_of(now);
         let (seen, action) = (self.now, self.chosen);
         self.chosen = NO_ACTION;
-        self.voices.gather(reward);
+        if self.led {
+            self.voices.gather(reward);
+        }
         self.runs.count(now);
         self.notice(reward);
         if self.config.doubting == Doubting::WhenRewardsStayAway && self.doubt.notice(reward > 0.0)
         {
             self.forest.doubt();
         }
+        let after = self.runs.believed(now);
+        self.reason
+            .observe(&seen, ActionId(action.into()), &after, reward);
         self.take_in(&seen, action, reward, false);
         Ok(Taught {
             reward,
@@ -407,6 +465,8 @@ impl<
         }
         let seen = self.runs.believed(before);
         let reward = self.worth_of(after);
+        let then = self.runs.believed(after);
+        self.reason.observe(&seen, action, &then, reward);
         self.take_in(&seen, action.0 as u8, reward, true);
         Ok(Taught {
             reward,
@@ -422,6 +482,7 @@ impl<
         self.born()?;
         self.forest.interrupt();
         self.voices.interrupt();
+        self.reason.interrupt();
         let rates = self.rates();
         self.habits.end(&rates);
         self.follow(None);
@@ -436,6 +497,8 @@ impl<
         if self.age == Age::Unborn {
             return false;
         }
+        // Reason takes three quarters, or what it needs.
+        let units = units.saturating_sub(self.reason.work(units - units / 4));
         let crowded = self.habits.crowding() > CROWDED;
         let horizon = Horizon {
             discount: self.config.discount,
@@ -455,7 +518,7 @@ impl<
     /// Whether there is work that [`idle`](Self::idle) could do.
     #[must_use]
     pub fn pending(&self) -> bool {
-        self.age != Age::Unborn && self.forest.is_pending()
+        self.age != Age::Unborn && (self.forest.is_pending() || self.reason.pending())
     }
 
     fn rates(&self) -> Rates {
@@ -535,62 +598,12 @@ impl<
     }
 }
 
-/// The all-zero configuration of the unborn.
-const ZERO: MindConfig = MindConfig {
-    exploring: 0.0,
-    exploring_acting: 0.0,
-    discount: 0.0,
-    lambda: 0.0,
-    habit_discount: 0.0,
-    habit_lambda: 0.0,
-    habit_rate: 0.0,
-    habit_rate_doubting: 0.0,
-    remembered_doubting: 0.0,
-    doubting: Doubting::Never,
-    block: 0,
-    trying: 0.0,
-    trying_acting: 0.0,
-    patience: 0,
-    burst: 0,
-    heard: Heard::NOBODY,
-    model_discount: 0.0,
-    remembered: 0.0,
-    prior: 0.0,
-    felt: 0.0,
-    spread: 0,
-    work: 0,
-};
-
 fn halves<const ACTIONS: usize>(one: [f32; ACTIONS], other: [f32; ACTIONS]) -> [f32; ACTIONS] {
     let mut mean = one;
     for (mean, other) in mean.iter_mut().zip(other) {
         *mean = 0.5 * (*mean + other);
     }
     mean
-}
-
-fn check_reward(reward: f32) -> Result<(), MindError> {
-    if (-MOST_REWARD..=MOST_REWARD).contains(&reward) {
-        Ok(())
-    } else {
-        Err(MindError::Reward)
-    }
-}
-
-impl<
-    const WORDS: usize,
-    const ITEMS: usize,
-    const ACTIONS: usize,
-    const STRETCHES: usize,
-    const LEAVES: usize,
-    const ROWS: usize,
-    const STATES: usize,
-    const LINKS: usize,
-> Default for Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS>
-{
-    fn default() -> Self {
-        Self::new()
-    }
 }
 
 #[cfg(test)]

@@ -7,11 +7,14 @@
 //! Habits learn at once from what was felt (`sarsa`), a model counts what follows what (`model`).
 //! Voices lead in turn (`voices`); senses that got stuck are not believed (`runs`); when rewards stay
 //! away new experience counts for more (`doubt`); the whole is a [`Mind`] (`config`, `mind`).
-//! It stands on words and `num` only, and knows nothing of maps.
+//! Where it has a reason, schemas with results and plans are a voice among the others, goals are pursued,
+//! and a choice is explained (`goals`).
+//! It stands on words, `num` and `reason`, and knows nothing of maps.
 
 mod budget;
 mod config;
 mod doubt;
+mod goals;
 mod growth;
 mod inspect;
 mod memory;
@@ -25,10 +28,12 @@ mod step;
 mod tally;
 mod tree;
 mod trees;
+mod unborn;
 mod voices;
 
 pub use budget::WorkBudget;
 pub use config::{Doubting, Heard, MindConfig, MindConfigError, Voice};
+pub use goals::Explanation;
 pub use mind::Mind;
 pub use moment::Feature;
 pub use step::{Actions, Deliberation, MOST_REWARD, MindError, Motive, Taught};

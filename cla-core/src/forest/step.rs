@@ -65,6 +65,8 @@ pub enum Motive {
     Chance,
     /// Nothing was earned for so long that anything else is better.
     Escape,
+    /// It leads to the goal that is pursued.
+    Goal,
 }
 
 /// An action, and why.
@@ -113,6 +115,8 @@ pub enum MindError {
     NothingChosen,
     /// There is no such action; nothing was learned.
     NoSuchAction(ActionId),
+    /// It has no reason that could pursue a goal.
+    NoReason,
 }
 
 impl fmt::Display for MindError {
@@ -127,6 +131,7 @@ impl fmt::Display for MindError {
             Self::NothingAllowed => f.write_str("no action is allowed"),
             Self::NothingChosen => f.write_str("nothing was chosen whose result this could be"),
             Self::NoSuchAction(action) => write!(f, "there is no action {}", action.0),
+            Self::NoReason => f.write_str("it has no reason that could pursue a goal"),
         }
     }
 }
@@ -152,4 +157,13 @@ pub struct Taught {
     pub reward: f32,
     /// Whether other items matter from now on.
     pub refocused: bool,
+}
+
+/// Whether a reward, or what an item is worth, is a number that may be learned from.
+pub(super) fn check_reward(reward: f32) -> Result<(), MindError> {
+    if (-MOST_REWARD..=MOST_REWARD).contains(&reward) {
+        Ok(())
+    } else {
+        Err(MindError::Reward)
+    }
 }

@@ -5,10 +5,12 @@ use super::experience::Experience;
 use super::imagined::{Imagined, NEVER};
 use super::pursuit::{Aim, Pursuit, Way};
 use crate::growth::SimpleSchema;
-use crate::word::{ActionId, ItemSet, ItemStates, SignedItems};
+use crate::word::{ActionId, ItemSet, ItemStates, SchemaText, SignedItems};
 
 /// The discount of what may be had.
 const DISCOUNT: f32 = 0.95;
+/// How much the newest action makes of what is said of promises.
+const KEEPING: f32 = 0.01;
 /// Units that one state's update takes.
 const SWEEP: u32 = 6;
 
@@ -93,6 +95,8 @@ pub struct Reason<
     fresher: bool,
     values: [f32; ITEMS],
     aim: Aim<WORDS>,
+    /// The share of its links that led where they promised, lately.
+    kept: f32,
 }
 
 impl<
@@ -124,6 +128,7 @@ impl<
             fresher: false,
             values: [0.0; ITEMS],
             aim: Aim::NONE,
+            kept: 0.0,
         }
     }
 
@@ -141,6 +146,7 @@ impl<
         self.moved = false;
         self.values = values.map(bounded);
         self.aim = Aim::NONE;
+        self.kept = 0.0;
     }
 
     /// The schemas that are believed now, in no order that means anything.
@@ -159,6 +165,18 @@ impl<
     #[must_use]
     pub const fn imagined(&self) -> u16 {
         self.imagined.len()
+    }
+
+    /// Whether values and the distance of the goal have gone as far as they go, for the time being.
+    #[must_use]
+    pub const fn is_settled(&self) -> bool {
+        !self.moving && !self.moved
+    }
+
+    /// How much of what it foresees comes true, of whole states and lately, in `[0, 1]`.
+    #[must_use]
+    pub const fn reliability(&self) -> f32 {
+        self.kept
     }
 
     /// How often an action does not do what it mostly does, as far as its record tells, in `[0, 0.2]`.
@@ -208,6 +226,10 @@ impl<
             self.next = (0, 0);
             self.sweep = 0;
         }
+        if let Some(kept) = self.imagined.kept(here, action.0 as u8, there) {
+            let kept = if kept { 1.0 } else { 0.0 };
+            self.kept += KEEPING * (kept - self.kept);
+        }
         let changed = self.imagined.live(here, action.0 as u8, there, exact);
         let goal = self.aim.goal();
         let news = self.imagined.sweep(here, goal, DISCOUNT);
@@ -232,9 +254,9 @@ impl<
 
     /// Works for about so many units on what is pending; answers how many it took.
     ///
-    /// A unit is some thirty instructions on a Cortex-M4F at most. Half goes to contexts and half to
-    /// imagined states, and what one of them does not need to the other; while a new goal spreads over
-    /// them that takes three quarters.
+    /// A unit is some thirty instructions on a Cortex-M4F at most. Three quarters go to contexts and
+    /// the rest to imagined states, and what one of them does not need to the other; while a new goal
+    /// spreads over the states that takes three quarters.
     pub fn work(&mut self, units: u32) -> u32 {
         let mut spent = self.look_around();
         while self.aim.goal().is_some() && spent < units - units / 4 {
@@ -245,9 +267,9 @@ impl<
             spent += took;
         }
         while spent < units {
-            let half = spent + (units - spent) / 2 + 1;
+            let most = units - (units - spent) / 4;
             let mut did = 0;
-            while spent < half {
+            while spent < most {
                 let took = self.known.grow();
                 if took == 0 {
                     break;
@@ -415,6 +437,18 @@ impl<
     #[must_use]
     pub const fn pursuit(&self) -> Pursuit {
         self.aim.state
+    }
+
+    /// Why something is expected of an action, as one schema: the contexts of those that foresee a
+    /// change together, and all that changes.
+    ///
+    /// Without context and result where nothing is foreseen.
+    #[must_use]
+    pub fn explain(&self, now: &ItemStates<WORDS>, action: ActionId) -> SchemaText<WORDS> {
+        let on = self.believe(now, &self.believed);
+        let index = u8::try_from(action.0).unwrap_or(u8::MAX);
+        let after = self.known.table.predict(&on, index);
+        self.known.table.reason(&on, &after, action)
     }
 
     /// What is expected to be on after an action.

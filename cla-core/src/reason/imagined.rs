@@ -272,6 +272,12 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         changed
     }
 
+    /// Whether an action led where it was foreseen to lead; `None` where nothing was foreseen.
+    pub(super) fn kept(&self, from: u16, action: u8, to: u16) -> Option<bool> {
+        let link = self.link(from, action)?;
+        (link != 0).then_some(link == to + 1)
+    }
+
     /// The states that were lived through: an action led from one to the other. Where it does not
     /// always do the same, what was predicted is given up only after the second time.
     pub(super) fn live(&mut self, from: u16, action: u8, to: u16, exact: bool) -> bool {
@@ -344,6 +350,9 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         }
         distance = match goal {
             Some(goal) if holds(goal, &node.on) => 0,
+            // What it relied on has gone: those that rely on it shall see that before it looks for
+            // another way, or all of them would count up together.
+            Some(_) if distance >= node.distance && node.distance != NEVER => NEVER,
             Some(_) if distance < FARTHEST => distance + 1,
             _ => NEVER,
         };

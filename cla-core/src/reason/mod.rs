@@ -8,6 +8,7 @@
 //! spread (`imagined`); the whole is a [`Reason`] (`faculty`), and its work is counted in units.
 //! Unknown items satisfy neither sign; where a state must be whole they are believed to be what was
 //! predicted of them.
+//! Who wants none of it takes `()` for its [`Reasoning`].
 //! It stands on the schemas of `growth`, and knows nothing of who asks it.
 
 mod accommodating;
@@ -16,9 +17,11 @@ mod faculty;
 mod growing;
 mod imagined;
 mod pursuit;
+mod reasoning;
 mod record;
 mod table;
 
 pub use experience::Experience;
 pub use faculty::{Prospects, Reason};
 pub use pursuit::{Pursuit, Way};
+pub use reasoning::Reasoning;

@@ -4,7 +4,7 @@
 //! has, not what the table has.
 
 use crate::growth::{Entry, Evidence, SimpleSchema};
-use crate::word::{ActionId, ItemSet};
+use crate::word::{ActionId, ItemSet, SchemaText, SignedItems};
 
 /// Up to `SCHEMAS` schemas of `ACTIONS` actions.
 #[derive(Clone, Debug)]
@@ -256,6 +256,36 @@ impl<const SCHEMAS: usize, const ACTIONS: usize> Table<SCHEMAS, ACTIONS> {
             }
         }
         after
+    }
+
+    /// The schemas that foresee what changes between two states, as one: of each change the one with
+    /// the most successes.
+    pub(super) fn reason<const WORDS: usize>(
+        &self,
+        on: &ItemSet<WORDS>,
+        after: &ItemSet<WORDS>,
+        action: ActionId,
+    ) -> SchemaText<WORDS> {
+        let mut why = SchemaText {
+            context: SignedItems::EMPTY,
+            action,
+            result: SignedItems::EMPTY,
+        };
+        for item in on.symmetric_difference(after).iter() {
+            let sign = after.contains(item);
+            let foresees = |it: &&SimpleSchema| {
+                it.result_item() == item && it.result_sign() == sign && it.applies(on)
+            };
+            let of = u8::try_from(action.0).map_or(&[][..], |action| self.of(action));
+            let best = of.iter().filter(foresees).max_by_key(|it| it.successes());
+            if let Some(schema) = best {
+                for (named, sign) in schema.context() {
+                    let _ = why.context.insert(named, sign);
+                }
+                let _ = why.result.insert(item, sign);
+            }
+        }
+        why
     }
 }
 

@@ -27,7 +27,7 @@ use cla_core::layer::*;
 use cla_core::level2::*;
 use cla_core::map::*;
 use cla_core::num::{Neighbourhood, Rng, Schedule, ScheduleError, exp, ln, sqrt};
-use cla_core::reason::{Prospects, Pursuit, Reason as Faculty};
+use cla_core::reason::{Prospects, Pursuit, Reason as Faculty, Way};
 use cla_core::snapshot::{self, LoadError, Names, SaveError, SinkFull, SliceSink, SourceEnd};
 use cla_core::som::*;
 use cla_core::word::*;
@@ -99,6 +99,7 @@ type Mind = Accommodation<3, 32, 200, 10>;
 type Forest = forest::Mind<1, 7, 6, 448, 200, 512, 512, 2048>;
 type Plans = Planner<3, 76, 100>;
 type Reasoning = Faculty<3, 76, 10, 32, 200, 100>;
+type Thinker = forest::Mind<3, 76, 10, 32, 64, 64, 64, 64, Reasoning>;
 type Items3 = ItemSet<3>;
 type Reified = SyntheticItems<3, 16>;
 type Maps = SomLevel<1, 7, 2, 39, 6, 6, 6, 128, 512>;
@@ -506,27 +507,28 @@ entries! {
         let (share, blocks) = it.record(voice);
         (it.relevance(item) + share, it.stuck() ^ blocks, it.size().2 ^ nodes)
     }
-    "reason_observe" (
-        it: &mut Reasoning, before: &ItemStates<3>, action: ActionId, after: &ItemStates<3>, reward: f32,
-    ) {
-        it.observe(before, action, after, reward);
-        it.interrupt();
-    }
-    "reason_begin" (it: &mut Reasoning, values: [f32; 76], seed: u64) { it.begin(values, seed); }
-    "reason_work" (it: &mut Reasoning, units: u32) -> u32 { u32::from(it.pending()) ^ it.work(units) }
-    "reason_pursue" (
-        it: &mut Reasoning, goal: Signed, limit: u16, now: &ItemStates<3>,
-    ) -> (Pursuit, bool) {
+    "mind_reasons" (it: &mut Thinker, now: &ItemStates<3>, goal: Signed, values: [f32; 76]) -> Option<Way> {
+        *it = Thinker::unborn();
+        let heard = forest::Heard::DEFAULT.without(forest::Voice::Plans);
+        it.begin(MindConfig { heard, ..MindConfig::DEFAULT }, values, 1).ok()?;
+        it.pursue(goal, 9, now).ok()?;
+        let choice = it.choose_among(now, Actions::ALL).ok()?;
+        it.learn_with(now, 1.0).and_then(|_| it.observe(now, choice.action, now)).ok()?;
+        it.interrupt().ok()?;
+        it.explain().filter(|_| it.idle(9) || it.pursuit().is_underway())?;
         it.give_up();
-        it.pursue(goal, limit, now);
-        (it.pursuit(), it.pursuit().is_underway())
+        Some(it.way(now)).filter(|_| it.reason().is_settled())
     }
-    "reason_prospects" (
-        it: &Reasoning, now: &ItemStates<3>, action: ActionId,
-    ) -> (Prospects<10>, Items3, f32) {
-        (it.prospects(now), it.predict(now, action), it.noise(action))
+    "reason" (it: &mut Reasoning, now: &ItemStates<3>, goal: Signed, values: [f32; 76], by: ActionId) -> (Pursuit, f32, u32) {
+        it.begin(values, 1);
+        it.observe(now, by, now, 1.0);
+        it.interrupt();
+        it.give_up();
+        it.pursue(goal, 9, now);
+        let all = it.work(u32::from(it.pending())) ^ it.schemas().len() as u32 ^ it.losses().0;
+        (it.pursuit(), it.noise(by) + it.reliability(), all ^ u32::from(it.imagined()))
     }
-    "reason_inspect" (it: &Reasoning) -> u32 {
-        it.schemas().len() as u32 ^ u32::from(it.imagined()) ^ it.losses().0
+    "reason_foresees" (it: &Reasoning, now: &ItemStates<3>, by: ActionId) -> (Prospects<10>, Items3, SchemaText<3>) {
+        (it.prospects(now), it.predict(now, by), it.explain(now, by))
     }
 }

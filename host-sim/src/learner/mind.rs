@@ -71,6 +71,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Learner
             Motive::Voice(voice) => format!("{voice:?}"),
             Motive::Chance => "exploring".to_owned(),
             Motive::Escape => "escaping from a loop".to_owned(),
+            Motive::Goal => "pursuing a goal".to_owned(),
         };
         self.last = Thought {
             schema: why,
