@@ -50,6 +50,7 @@ impl WorldOptions {
         } = self.config;
         let specimens = match &self.layout {
             Some(_) => "specimens where a file puts them".to_owned(),
+            None if specimens == 1 => "one specimen".to_owned(),
             None => format!("{specimens} specimens"),
         };
         format!(

@@ -1,21 +1,26 @@
-//! The figures of the foraging experiment: the book's Figs 6.3, 6.5 and 6.6.
+//! The figures of the foraging experiment: the book's Figs 6.3 to 6.6.
 
+use super::approach::{Approach, SPECIMEN};
 use super::bench::Captures;
 use super::options::{ForageOptions, SNAPSHOT};
 use super::trial::{Trial, of};
 use crate::report::figure::{
-    Axes, Bar, FigureError, Line, Picture, Point, Span, bar_chart, histogram, line_chart,
+    Axes, Bar, FigureError, Line, Panel, Picture, Point, Span, bar_chart, histogram, line_chart,
+    panels,
 };
-use crate::report::sample;
+use crate::report::{median, sample};
+use crate::world::config::PioneerConfig;
+use crate::world::setting::WorldOptions;
 
 /// Everything that is drawn, with the names of the files.
 pub(super) fn all(
     options: &ForageOptions,
     trials: &[Trial],
-) -> Result<[(&'static str, Picture); 4], FigureError> {
+) -> Result<[(&'static str, Picture); 5], FigureError> {
     Ok([
         ("learning-curve", learning_curve(options, trials)?),
         ("learning-curve-of-28", in_the_books_unit(options, trials)?),
+        ("approach", approaches(options, trials)?),
         ("reliability-bars", reliability_bars(options, trials)?),
         (
             "reliability-histogram",
@@ -117,6 +122,60 @@ fn in_the_books_unit(options: &ForageOptions, trials: &[Trial]) -> Result<Pictur
     let unit = format!("captures of 28 in {} actions", options.test_actions);
     let axes = Axes::new(title, "actions of training", &unit).caption(caption);
     line_chart(&axes.y(0.0, 30.0).sized(900, 480), &lines)
+}
+
+/// Fig 6.4: the first seed's ways, with the actions of all.
+fn approaches(options: &ForageOptions, trials: &[Trial]) -> Result<Picture, FigureError> {
+    let [x, y] = SPECIMEN;
+    let straight = vec![Point::at(0.0, 0.0), Point::at(x, y)];
+    let charts = [(0, "level 1"), (1, "both levels, with habits")].map(|(level, name)| {
+        let ways = trials.iter().map(|trial| &trial.approaches[level]);
+        let taken: Vec<&Approach> = ways.filter(|it| it.taken).collect();
+        let of = |number: fn(&Approach) -> f64| {
+            median(&taken.iter().map(|it| number(it)).collect::<Vec<f64>>())
+        };
+        let path = trials
+            .first()
+            .map_or(&[][..], |it| &it.approaches[level].path);
+        let points = path.iter().map(|&[x, y]| Point::at(x, y)).collect();
+        let note = match taken.len() {
+            0 => "taken in no seed".to_owned(),
+            some => format!(
+                "{:.0} actions, {:.0} of them turns, in the median of {some} seeds that take it",
+                of(Approach::actions),
+                of(Approach::turns)
+            ),
+        };
+        Panel {
+            subject: Line::new(name, points),
+            note,
+            context: Some(Line::new("straight to the specimen", straight.clone())),
+        }
+    });
+    let seed = options.seeds.first().copied().unwrap_or_default();
+    let caption = format!(
+        "{}; drawn is seed {seed}, the first. The only specimen lies 4 m away, 12° to the left, in \
+         sector 2; the robot stands at (0, 0) and looks to the right; greedy, as in a test. The book \
+         draws arcs for level 1 and a straight way for both levels, without numbers. {}.",
+        sample(&options.seeds),
+        WorldOptions {
+            config: PioneerConfig {
+                specimens: 1,
+                ..options.world.config
+            },
+            layout: None,
+        }
+        .words(),
+    );
+    let title = "The way to a specimen that lies aside (Fig 6.4)";
+    let axes = Axes::new(title, "metres ahead", "metres to the left").caption(caption);
+    // A metre is as long upwards as ahead.
+    panels(
+        &axes.x(-0.5, 4.5).y(-0.75, 1.5).sized(900, 660),
+        1,
+        &charts,
+        None,
+    )
 }
 
 /// Fig 6.5.

@@ -4,6 +4,7 @@
 //! knowledge base says about the book's schemas, `second` and `harvested` the second level on trial
 //! in its two forms, `claims` what is concluded from all seeds.
 
+mod approach;
 pub mod bench;
 mod claims;
 mod figures;
@@ -17,6 +18,7 @@ pub mod som_level2;
 mod tables;
 mod trial;
 
+pub use approach::Approach;
 pub use options::{BOOK_SCHEMAS, BookSchema, ForageOptions, SNAPSHOT};
 pub use trial::{Found, Trial};
 

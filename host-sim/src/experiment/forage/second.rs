@@ -113,8 +113,19 @@ pub(super) fn compare(
     compared(bench, young, &level2, world)
 }
 
-/// As [`compare`]; also tests of both levels after each thousand actions of the second half, with
-/// the young brain's first, and the reliabilities of the level-2 schemas at its end.
+/// A second half of training that was looked at.
+pub(super) struct Watched {
+    pub(super) pair: Pair,
+    pub(super) insight: Insight,
+    /// Tests of the young brain, and of both levels after each thousand actions.
+    pub(super) snapshots: Vec<Captures>,
+    /// Of each level-2 schema at the end, labelled in hindsight.
+    pub(super) reliabilities: Vec<f64>,
+    /// Both levels at the end.
+    pub(super) brain: Box<Brain>,
+}
+
+/// As [`compare`], looked at on the way.
 ///
 /// # Errors
 /// As [`compare`].
@@ -122,7 +133,7 @@ pub(super) fn watched(
     bench: &Bench<'_>,
     young: &Brain,
     world: &WorldOptions,
-) -> Result<(Pair, Insight, Vec<Captures>, Vec<f64>), Failure> {
+) -> Result<Watched, Failure> {
     let mut snapshots = Vec::new();
     let look = |brain: &Brain| {
         snapshots.push(bench.test(brain, world)?);
@@ -130,7 +141,13 @@ pub(super) fn watched(
     };
     let level2 = grown_and(bench, young, with_level2(bench.options), world, look)?;
     let (pair, insight) = compared(bench, young, &level2, world)?;
-    Ok((pair, insight, snapshots, hindsight_reliabilities(&level2)))
+    Ok(Watched {
+        pair,
+        insight,
+        snapshots,
+        reliabilities: hindsight_reliabilities(&level2),
+        brain: level2,
+    })
 }
 
 fn compared(

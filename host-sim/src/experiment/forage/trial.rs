@@ -11,6 +11,7 @@ use cla_core::knowledge::{Estimate, SchemaId};
 use cla_core::word::{Detail, ItemId, SchemaText};
 use serde::{Deserialize, Serialize};
 
+use super::approach::{Approach, approach};
 use super::bench::{Bench, Captures, born};
 use super::harvested::{Harvested, harvested};
 use super::measure::{Record, promises, record_of};
@@ -85,6 +86,8 @@ pub struct Trial {
     pub reliabilities: Vec<f64>,
     /// Reliability of each level-2 schema in the book's way: labelled in hindsight.
     pub reliabilities_level2: Vec<f64>,
+    /// How it gets at a specimen with level 1, and after as long again with both levels.
+    pub approaches: [Approach; 2],
     /// The schemas, the most tried first.
     pub found: Vec<Found>,
     /// What the worst step of all these brains would have cost; the one harvested from maps apart.
@@ -124,8 +127,11 @@ pub(super) fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result
             snapshots.push(bench.test(&brain, &options.world)?);
         }
     }
-    let (second, insight, snapshots_level2, reliabilities_level2) =
-        second::watched(&bench, &brain, &options.world)?;
+    let watched = second::watched(&bench, &brain, &options.world)?;
+    let approaches = [
+        approach(&brain, options.world.config, seed)?,
+        approach(&watched.brain, options.world.config, seed)?,
+    ];
     let apart = second::apart(&bench, &brain, &options.world)?;
     brain.harvest();
     brain.knowledge_mut().defer_values(&options.brain.values);
@@ -164,10 +170,11 @@ pub(super) fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result
     let (second_large, _) = second::compare(&bench, &in_the_large, &large)?;
     Ok(Trial {
         snapshots,
-        snapshots_level2,
-        reliabilities_level2,
-        second,
-        insight,
+        snapshots_level2: watched.snapshots,
+        reliabilities_level2: watched.reliabilities,
+        approaches,
+        second: watched.pair,
+        insight: watched.insight,
         apart,
         second_noise_free,
         second_large,

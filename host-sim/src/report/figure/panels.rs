@@ -84,7 +84,7 @@ pub fn panels(
             Pen::new(SMALL).lines(page, &names[index], (left, top))?;
             let below = (left, top + names[index].len() as i32 * leading(SMALL));
             Pen::new(SMALL).dim().write(page, &panel.note, below)?;
-            let head = (most + 1) * leading(SMALL) + 4;
+            let head = (most + 1) * leading(SMALL) + 10;
             let around = Area {
                 left,
                 top: top + head,
