@@ -4,7 +4,6 @@ use std::path::Path;
 
 use super::claims::{Claim, Verdict};
 use super::judge::LEAST;
-use super::seeds::sample;
 use super::summary::Summary;
 use super::table::{ours_text, reference};
 
@@ -22,7 +21,7 @@ pub(super) fn brief(
         "{}: {}, {}",
         summary.experiment,
         summary.status,
-        sample(&summary.seeds)
+        summary.sample()
     )];
     lines.extend(headline.map(|it| it.replace('\n', " ")));
     let missed: Vec<&Claim> = summary.missed().collect();

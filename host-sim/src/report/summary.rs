@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::claims::{Claim, Origin, Verdict};
 use super::judge::judge;
-use super::seeds::Status;
+use super::seeds::{Status, sample};
 
 /// The version of the form of the file.
 pub const FORMAT: u32 = 2;
@@ -144,6 +144,16 @@ impl Summary {
             *again.verdicts.entry(claim.verdict.to_string()).or_default() += 1;
         }
         again
+    }
+
+    /// How many seeds and which; those of layouts are their numbers.
+    #[must_use]
+    pub fn sample(&self) -> String {
+        let seeds = sample(&self.seeds);
+        match self.status {
+            Status::Layouts => seeds.replacen("seeds", "layouts", 1),
+            _ => seeds,
+        }
     }
 
     /// The claims whose rule did not hold: the book's first, then our own aims.

@@ -11,8 +11,7 @@ pub(super) fn all(found: &[Finding]) -> Result<[(&'static str, Picture); 2], Fig
             .filter_map(|finding| bar(finding, prefix))
             .collect();
         let caption = format!(
-            "n = 10 layouts, the same for both. {unit}. Stage 1.3.4 is the simulator of the book's \
-             runs. Below each pair: radius of the room, length of a step. No noise, 28 \
+            "n = 10 layouts, the same for both. {unit}. Stage 1.3.4: the original simulator. Below each pair: radius of the room, length of a step. No noise, 28 \
              specimens, those that are taken are gone.",
         );
         let axes = Axes::new(title, "", unit).caption(caption).sized(900, 440);

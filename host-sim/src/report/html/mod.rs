@@ -7,7 +7,6 @@ use serde_json::Value;
 
 use super::claims::{Claim, Verdict};
 use super::figure::Picture;
-use super::seeds::sample;
 use super::summary::{Summary, Table};
 use super::table::{cell, ours_text, reference};
 
@@ -32,7 +31,7 @@ pub(super) fn page(
          <p class=\"command\"><code>{}</code></p></header>\n",
         escaped(&summary.experiment),
         escaped(headline),
-        escaped(&sample(&summary.seeds)),
+        escaped(&summary.sample()),
         summary.status,
         escaped(&summary.command),
     );
