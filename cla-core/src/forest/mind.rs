@@ -253,6 +253,7 @@ impl<
             return Err(MindError::NothingAllowed);
         }
         let seen = self.runs.believed(now);
+        self.reason.perceive(&seen);
         if let Some(step) = self.step(&seen, allowed) {
             self.led = false;
             return Ok(self.settle(step, seen));

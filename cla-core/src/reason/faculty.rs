@@ -85,6 +85,8 @@ pub struct Reason<
     here: u16,
     /// Where imagining stands: the next link to predict, the next state to bring up to date.
     next: (u16, u8),
+    /// From here on states are new: while a goal is pursued their links come first.
+    front: (u16, u8),
     sweep: u16,
     upward: bool,
     /// Whether anything changed in this round of sweeps, and in the last one.
@@ -120,6 +122,7 @@ impl<
             believed: ItemSet::EMPTY,
             here: 0,
             next: (0, 0),
+            front: (0, 0),
             sweep: 0,
             upward: false,
             moving: false,
@@ -140,6 +143,7 @@ impl<
         self.imagined.clear();
         self.believed = ItemSet::EMPTY;
         self.next = (0, 0);
+        self.front = (0, 0);
         self.sweep = 0;
         self.stale = false;
         self.moving = false;
@@ -216,16 +220,11 @@ impl<
         let to = self.believe(after, &foreseen);
         let exact = self.noise(action) <= 0.0;
         let worth = bounded(reward);
-        let imagined = self.imagined.len();
-        let mut here = self.imagined.visit(&from, self.worth_of(&from));
-        let there = self.imagined.visit(&to, worth);
-        if self.imagined.len() < imagined {
-            // Room was made: states have other places, and links are to be predicted again.
-            here = self.imagined.find(&from).unwrap_or(here);
-            self.stale = true;
-            self.next = (0, 0);
-            self.sweep = 0;
-        }
+        let here = self.arrive(&from);
+        let there = self.arrive(&to);
+        // Room may have been made for the second.
+        let here = self.imagined.find(&from).unwrap_or(here);
+        self.imagined.feel(there, worth);
         if let Some(kept) = self.imagined.kept(here, action.0 as u8, there) {
             let kept = if kept { 1.0 } else { 0.0 };
             self.kept += KEEPING * (kept - self.kept);
@@ -237,6 +236,32 @@ impl<
         self.believed = to;
         self.here = there;
         self.aim.count(after);
+    }
+
+    /// The node of a state that is perceived.
+    fn arrive(&mut self, on: &ItemSet<WORDS>) -> u16 {
+        let imagined = self.imagined.len();
+        let at = self.imagined.visit(on, self.worth_of(on));
+        if at >= imagined {
+            self.front = (at, 0);
+        }
+        if self.imagined.len() < imagined {
+            self.front = (at, 0);
+            // Room was made: states have other places, and links are to be predicted again.
+            self.stale = true;
+            self.next = (0, 0);
+            self.sweep = 0;
+        }
+        at
+    }
+
+    /// This is perceived now: where it is not what the last action led to, that is where it stands.
+    pub fn perceive(&mut self, now: &ItemStates<WORDS>) {
+        let on = self.believe(now, &self.believed);
+        self.believed = on;
+        if self.imagined.on(self.here) != Some(&on) {
+            self.here = self.arrive(&on);
+        }
     }
 
     /// The episode is over: what is unknown at first is believed to be off.
@@ -349,6 +374,15 @@ impl<
 
     /// Predicts one link, of states in the order in which they were found.
     fn predict_next(&mut self) -> u32 {
+        let (at, action) = self.front;
+        if self.aim.goal().is_some() && at < self.imagined.len() {
+            self.front = after::<ACTIONS>(at, action);
+            return if self.imagined.is_open(at, action) {
+                self.foresee(at, action)
+            } else {
+                1
+            };
+        }
         let (at, action) = self.next;
         if at >= self.imagined.len() {
             // A round is over; another one when schemas have changed since.
@@ -361,11 +395,7 @@ impl<
             self.next = (0, 0);
             return 1;
         }
-        self.next = if usize::from(action) + 1 < ACTIONS {
-            (at, action + 1)
-        } else {
-            (at + 1, 0)
-        };
+        self.next = after::<ACTIONS>(at, action);
         if self.imagined.was_lived(at, action) {
             1
         } else {
@@ -423,6 +453,7 @@ impl<
 
     /// Pursues a goal for at most `limit` actions, beginning now; it replaces the last one.
     pub fn pursue(&mut self, goal: SignedItems<WORDS>, limit: u16, now: &ItemStates<WORDS>) {
+        self.perceive(now);
         self.aim = Aim::begin(goal, limit, now);
         self.imagined.lose_sight();
         self.moving = true;
@@ -472,6 +503,15 @@ impl<
 {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+/// The next action, or the first of the next state.
+const fn after<const ACTIONS: usize>(at: u16, action: u8) -> (u16, u8) {
+    if action as usize + 1 < ACTIONS {
+        (at, action + 1)
+    } else {
+        (at + 1, 0)
     }
 }
 

@@ -137,6 +137,61 @@ fn a_goal_that_holds_is_reached_and_one_that_cannot_be_times_out() {
 }
 
 #[test]
+fn from_a_state_never_met_schemas_know_the_way() {
+    let mut reason = lived(800, 0.0, 0.0, 500, 11);
+    // Nobody has just eaten and has bread.
+    let odd = Kitchen {
+        at: 0,
+        bread: true,
+        eaten: true,
+    };
+    let now = odd.see(false, &mut Rng::new(1));
+    reason.interrupt();
+    assert_eq!(reason.prospects(&now).values, [None; 4]);
+    let states = reason.imagined();
+    reason.pursue(on(ItemId(2)), 20, &now);
+    assert_eq!(reason.imagined(), states + 1);
+    reason.work(10_000);
+    let prospects = reason.prospects(&now);
+    assert_eq!(
+        (prospects.towards, prospects.way),
+        (Some(ActionId(1)), Way::Actions(2))
+    );
+    // It is believed what is perceived, not what the last action led to.
+    reason.perceive(&Kitchen::START.see(false, &mut Rng::new(1)));
+    assert_eq!(reason.imagined(), states + 1);
+}
+
+#[test]
+fn what_arriving_brought_counts_and_not_what_items_promise() {
+    // Item 0 is worth 1, but whoever takes the bread is given 5.
+    let mut reason = Cook::new();
+    let mut values = [0.0; 7];
+    values[0] = 1.0;
+    reason.begin(values, 12);
+    let (mut world, mut rng) = (Kitchen::START, Rng::new(12));
+    let mut now = world.see(false, &mut rng);
+    for _ in 0..600 {
+        let action = rng.below(4);
+        let had = world.bread;
+        world.act(action);
+        let next = world.see(false, &mut rng);
+        let taken = world.bread && !had;
+        let reward = f32::from(u8::from(world.at == 0)) + if taken { 5.0 } else { 0.0 };
+        reason.observe(&now, ActionId(action as u16), &next, reward);
+        reason.work(500);
+        now = next;
+    }
+    reason.work(50_000);
+    let shelf = Kitchen {
+        at: 0,
+        ..Kitchen::START
+    };
+    let values = reason.prospects(&shelf.see(false, &mut rng)).values;
+    assert!(values[2] > values[0], "{values:?}");
+}
+
+#[test]
 fn what_is_worth_having_is_seen_from_afar() {
     let mut reason = Cook::new();
     let mut values = [0.0; 7];

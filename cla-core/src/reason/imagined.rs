@@ -15,6 +15,11 @@ pub(super) const NEVER: u8 = u8::MAX;
 /// The most actions to a goal.
 const FARTHEST: u8 = 100;
 
+/// It was perceived.
+const VISITED: u8 = 1;
+/// What arriving here brings was felt.
+const FELT: u8 = 2;
+
 /// One state.
 #[derive(Clone, Copy, Debug)]
 struct Node<const WORDS: usize, const ACTIONS: usize> {
@@ -32,7 +37,13 @@ struct Node<const WORDS: usize, const ACTIONS: usize> {
     next: u16,
     /// Actions to the goal.
     distance: u8,
-    visited: bool,
+    marks: u8,
+}
+
+impl<const WORDS: usize, const ACTIONS: usize> Node<WORDS, ACTIONS> {
+    const fn was_visited(&self) -> bool {
+        self.marks & VISITED != 0
+    }
 }
 
 /// A graph of at most `NODES` states.
@@ -73,7 +84,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
                 value: 0.0,
                 next: 0,
                 distance: 0,
-                visited: false,
+                marks: 0,
             }; NODES],
             buckets: [0; NODES],
             len: 0,
@@ -151,14 +162,14 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             value: 0.0,
             next: *bucket,
             distance: NEVER,
-            visited: false,
+            marks: 0,
         };
         *bucket = at + 1;
         self.len += 1;
         Some(at)
     }
 
-    /// The node of a state that is perceived, with what arriving there has brought.
+    /// The node of a state that is perceived, worth so much as far as anybody can tell.
     ///
     /// A full graph makes room.
     pub(super) fn visit(&mut self, on: &ItemSet<WORDS>, worth: f32) -> u16 {
@@ -173,11 +184,18 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         });
         let at = at.unwrap_or(0);
         if let Some(node) = self.node_mut(at) {
-            let share = if node.visited { 0.25 } else { 1.0 };
-            node.worth += share * (worth - node.worth);
-            node.visited = true;
+            node.marks |= VISITED;
         }
         at
+    }
+
+    /// What arriving in a state has brought.
+    pub(super) fn feel(&mut self, at: u16, worth: f32) {
+        if let Some(node) = self.node_mut(at) {
+            let share = if node.marks & FELT != 0 { 0.25 } else { 1.0 };
+            node.worth += share * (worth - node.worth);
+            node.marks |= FELT;
+        }
     }
 
     /// Keeps the states that were perceived, or none when those alone fill it.
@@ -185,7 +203,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         let mut kept = 0;
         for at in 0..self.len {
             if let Some(node) = self.node_mut(at)
-                && node.visited
+                && node.was_visited()
             {
                 kept += 1;
                 // Where it goes, and one more.
@@ -221,7 +239,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             let Some(mut node) = self.nodes.get(usize::from(at)).copied() else {
                 continue;
             };
-            if !node.visited {
+            if !node.was_visited() {
                 continue;
             }
             let to = node.next;
@@ -239,7 +257,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
     /// While room is made: where a node that is kept goes, and one more.
     fn moved(&self, at: u16) -> Option<u16> {
         let node = self.node(at)?;
-        node.visited.then_some(node.next)
+        node.was_visited().then_some(node.next)
     }
 
     /// Whether all items of a state were seen together, two by two.

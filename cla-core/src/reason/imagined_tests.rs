@@ -20,7 +20,8 @@ fn goal(at: u16) -> SignedItems<1> {
 fn row<const NODES: usize>(places: u16) -> Imagined<1, 32, 2, NODES> {
     let mut row = Imagined::new();
     for at in 0..places {
-        row.visit(&place(at), f32::from(u8::from(at == places - 1)));
+        let here = row.visit(&place(at), 0.0);
+        row.feel(here, f32::from(u8::from(at == places - 1)));
     }
     for at in 0..places {
         let here = row.find(&place(at)).unwrap();

@@ -37,6 +37,9 @@ pub trait Reasoning<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize
         reward: f32,
     );
 
+    /// See [`Reason::perceive`].
+    fn perceive(&mut self, now: &ItemStates<WORDS>);
+
     /// See [`Reason::interrupt`].
     fn interrupt(&mut self);
 
@@ -77,6 +80,8 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Reasoning<WOR
     fn begin(&mut self, _: [f32; ITEMS], _: u64) {}
 
     fn observe(&mut self, _: &ItemStates<WORDS>, _: ActionId, _: &ItemStates<WORDS>, _: f32) {}
+
+    fn perceive(&mut self, _: &ItemStates<WORDS>) {}
 
     fn interrupt(&mut self) {}
 
@@ -141,6 +146,10 @@ impl<
         reward: f32,
     ) {
         Self::observe(self, before, action, after, reward);
+    }
+
+    fn perceive(&mut self, now: &ItemStates<WORDS>) {
+        Self::perceive(self, now);
     }
 
     fn interrupt(&mut self) {

@@ -17,7 +17,7 @@ use cla_core::check::{Config, ConfigError};
 use cla_core::choice::*;
 use cla_core::forager::pioneer::{Action, Brain, Percept, VOCABULARY, be_born};
 use cla_core::forager::small;
-use cla_core::forest::{self, Actions, Deliberation, MindConfig, MindError, Taught};
+use cla_core::forest::{self, Actions, Deliberation, MindConfig, MindError};
 use cla_core::growth::*;
 use cla_core::knowledge::*;
 use cla_core::layer::overload::{
@@ -482,21 +482,16 @@ entries! {
         it.begin(config, values, seed)?;
         it.act()
     }
-    "forest_choose" (
-        it: &mut Forest, now: &ItemStates<1>, allowed: Actions,
+    "forest_lives" (
+        it: &mut Forest, now: &ItemStates<1>, allowed: Actions, reward: f32,
     ) -> Result<Deliberation, MindError> {
         it.choose(now)?;
-        it.choose_among(now, allowed)
-    }
-    "forest_learn" (it: &mut Forest, now: &ItemStates<1>, reward: f32) -> Result<Taught, MindError> {
         it.learn(now)?;
-        it.learn_with(now, reward)
-    }
-    "forest_observe" (
-        it: &mut Forest, before: &ItemStates<1>, action: ActionId, after: &ItemStates<1>,
-    ) -> Result<Taught, MindError> {
+        let choice = it.choose_among(now, allowed)?;
+        it.learn_with(now, reward)?;
+        it.observe(now, choice.action, now)?;
         it.interrupt()?;
-        it.observe(before, action, after)
+        Ok(choice)
     }
     "forest_idle" (it: &mut Forest, units: u32) -> bool { it.idle(units) && it.pending() }
     "forest_inspect" (
@@ -523,6 +518,7 @@ entries! {
         it.begin(values, 1);
         it.observe(now, by, now, 1.0);
         it.interrupt();
+        it.perceive(now);
         it.give_up();
         it.pursue(goal, 9, now);
         let all = it.work(u32::from(it.pending())) ^ it.schemas().len() as u32 ^ it.losses().0;
