@@ -321,5 +321,10 @@ mod tests {
         let line = Line::new("nothing", vec![Point::at(f64::NAN, 1.0)]);
         assert!(line_chart(&Axes::new("t", "x", "y"), &[line]).is_err());
         assert!(line_chart(&Axes::new("t", "x", "y"), &[]).is_err());
+        // One number is enough for an axis of factors; none that is positive is not.
+        let level = |height| Line::new("a", [1.0, 2.0].map(|x| Point::at(x, height)).to_vec());
+        let factors = Axes::new("t", "x", "y").y_log();
+        assert!(line_chart(&factors, &[level(200.0)]).is_ok());
+        assert!(line_chart(&factors, &[level(0.0)]).is_err());
     }
 }

@@ -39,6 +39,11 @@ impl Scales {
         let (Some(x), Some(y)) = (x, y) else {
             return Err(error("no line has a finite point"));
         };
+        // Around a number alone the axis goes from its half to its double.
+        let y = match y {
+            (low, high) if axes.y_log && low == high => (low / 2.0, high * 2.0),
+            other => other,
+        };
         let scales = (Scale::new(x, axes.x_log), Scale::new(y, axes.y_log));
         let (Some(x), Some(y)) = scales else {
             return Err(error("an axis has no extent"));

@@ -6,7 +6,7 @@ use super::plot::{Plot, Scales};
 use super::point::Point;
 use super::strokes::Stroke;
 use super::text::{Pen, width};
-use super::{Area, Axes, FigureError, LABEL, Picture, SMALL, picture};
+use super::{Area, Axes, FigureError, LABEL, Picture, SMALL, fitted, picture};
 use plotters::prelude::PathElement;
 
 /// A number and the ends of its interval.
@@ -58,7 +58,14 @@ pub fn row_chart(axes: &Axes, series: &[&str], rows: &[Row]) -> Result<Picture, 
             [low, value, high].map(|it| Point::at(it, 0.0))
         })
         .collect();
-    let axes = axes.clone().y(0.0, 1.0);
+    let mut axes = axes.clone().y(0.0, 1.0);
+    if axes.x_range.is_none() {
+        let fit = fitted(points.iter().map(|it| it.x), 0.0);
+        let (low, high) = fit.ok_or_else(|| FigureError("rows without a number".to_owned()))?;
+        // From nothing on, and never of no length.
+        let low = low.min(0.0);
+        axes = axes.x(low, high.max(low + 1e-6));
+    }
     let scales = Scales::of(&axes, points.iter())?;
     picture(&axes, |page, area| {
         let mut left = area.left;
@@ -107,4 +114,18 @@ pub fn row_chart(axes: &Axes, series: &[&str], rows: &[Row]) -> Result<Picture, 
         let pen = Pen::new(LABEL).across(HPos::Center);
         pen.write(page, &axes.x_label, (middle, around.bottom + 4))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Row, row_chart};
+    use crate::report::figure::Axes;
+
+    #[test]
+    fn rows_of_nothing_but_zeros_are_drawn_and_rows_without_a_number_are_not() {
+        let axes = Axes::new("t", "captures", "");
+        let rows = |value: f64| [Row::means_of("a", &[vec![value]])];
+        assert!(row_chart(&axes, &["first"], &rows(0.0)).is_ok());
+        assert!(row_chart(&axes, &["first"], &rows(f64::NAN)).is_err());
+    }
 }
