@@ -7,14 +7,17 @@
 use core::fmt::{self, Write as _};
 use core::ops::Deref;
 
-/// The numbers that a field may hold; NaN and infinity never are among them.
+use crate::snapshot::{LARGEST, LARGEST_VALUE};
+
+/// The numbers that a field may hold; NaN, infinity and what lies beyond 10²⁰ never are among them:
+/// sums and products of such numbers stay finite.
 ///
 /// ```
 /// use cla_core::check::Range;
 /// assert!(Range::SHARE.contains(1.0) && !Range::BELOW_ONE.contains(1.0));
 /// assert!(!Range::ABOVE_ZERO.contains(f32::INFINITY) && !Range::SHARE.contains(f32::NAN));
 /// assert_eq!(Range::BELOW_ONE.to_string(), "at least 0 and below 1");
-/// assert_eq!(Range::ABOVE_ZERO.to_string(), "finite and above 0");
+/// assert_eq!(Range::ABOVE_ZERO.to_string(), "above 0 and at most 1e20");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -30,12 +33,15 @@ impl Range {
     pub const SHARE: Self = Self::of(0.0, true, 1.0, true);
     /// From 0 to 1, 1 excluded.
     pub const BELOW_ONE: Self = Self::of(0.0, true, 1.0, false);
-    /// Finite and above 0.
+    /// Above 0.
     pub const ABOVE_ZERO: Self = Self::above(0.0);
-    /// Finite and at least 0.
-    pub const NOT_NEGATIVE: Self = Self::of(0.0, true, f32::INFINITY, false);
-    /// Finite and at least 1: for counts of which there must be one.
-    pub const AT_LEAST_ONE: Self = Self::of(1.0, true, f32::INFINITY, false);
+    /// At least 0.
+    pub const NOT_NEGATIVE: Self = Self::of(0.0, true, LARGEST, true);
+    /// At least 1: for counts of which there must be one.
+    pub const AT_LEAST_ONE: Self = Self::of(1.0, true, LARGEST, true);
+    /// What an item may be worth for its own sake: from 0 to 10⁹, so that values stay far from the end
+    /// of their numbers even where nothing is discounted.
+    pub const VALUE: Self = Self::of(0.0, true, LARGEST_VALUE, true);
 
     const fn of(least: f32, least_included: bool, most: f32, most_included: bool) -> Self {
         Self {
@@ -46,10 +52,10 @@ impl Range {
         }
     }
 
-    /// Finite and above a number.
+    /// Above a number.
     #[must_use]
     pub const fn above(least: f32) -> Self {
-        Self::of(least, false, f32::INFINITY, false)
+        Self::of(least, false, LARGEST, true)
     }
 
     /// At least 0 and below a number.
@@ -84,24 +90,22 @@ impl Range {
 
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.most.is_infinite() {
-            f.write_str("finite and ")?;
-        }
         f.write_str(if self.least_included {
             "at least "
         } else {
             "above "
         })?;
         decimal(f, self.least)?;
-        if self.most.is_finite() {
-            f.write_str(if self.most_included {
-                " and at most "
-            } else {
-                " and below "
-            })?;
-            decimal(f, self.most)?;
+        f.write_str(if self.most_included {
+            " and at most "
+        } else {
+            " and below "
+        })?;
+        if self.most >= LARGEST {
+            f.write_str("1e20")
+        } else {
+            decimal(f, self.most)
         }
-        Ok(())
     }
 }
 
@@ -204,7 +208,7 @@ fn decimal(f: &mut fmt::Formatter<'_>, value: f32) -> fmt::Result {
         f.write_char('-')?;
     }
     let size = value.abs();
-    if size >= 1e9 {
+    if size > LARGEST_VALUE {
         return f.write_str(if size.is_finite() { "huge" } else { "infinite" });
     }
     // Exact: a float of this size has at most 24 bits before or behind its point.
@@ -249,7 +253,8 @@ mod tests {
                 value,
                 range,
             };
-            let sentence = std::format!("It::field is {text} and must be finite and above 2.5");
+            let sentence =
+                std::format!("It::field is {text} and must be above 2.5 and at most 1e20");
             assert_eq!(error.to_string(), sentence);
         }
     }

@@ -5,6 +5,7 @@ pub mod cli;
 pub mod device;
 pub mod experiment;
 pub mod failure;
+pub mod keeping;
 pub mod learner;
 pub mod options;
 pub mod progress;

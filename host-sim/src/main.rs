@@ -4,9 +4,10 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
-use host_sim::cli::Cli;
+use host_sim::cli::{Cli, Command, Errand};
 use host_sim::failure::Failure;
-use host_sim::options::Order;
+use host_sim::keeping;
+use host_sim::options::{self, Order};
 use host_sim::progress::Progress;
 use host_sim::report::{Circumstances, Journal};
 
@@ -20,6 +21,9 @@ fn main() -> ExitCode {
             return ExitCode::SUCCESS;
         }
     };
+    if let Some(Command::Errand(errand)) = &cli.command {
+        return do_errand(errand);
+    }
     let ready = Order::new(&cli).and_then(|order| {
         order.plan.look_for_tools()?;
         Ok(order)
@@ -27,6 +31,31 @@ fn main() -> ExitCode {
     match ready {
         Ok(order) => run(&order).unwrap_or_else(|failure| fail(&failure)),
         Err(impossible) => refuse(&impossible.to_string()),
+    }
+}
+
+/// What is done with one brain.
+fn do_errand(errand: &Errand) -> ExitCode {
+    let done = match errand {
+        Errand::Inspect { file, most } => keeping::inspect(file, *most),
+        Errand::Train { .. } => match options::training(errand) {
+            Ok(Some(training)) => keeping::train(&training),
+            Ok(None) => Ok(String::new()),
+            Err(impossible) => return refuse(&impossible.to_string()),
+        },
+    };
+    match done.and_then(|text| say(&text)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => fail(&failure),
+    }
+}
+
+/// Shows a text to whoever still reads along.
+fn say(text: &str) -> Result<(), Failure> {
+    match writeln!(std::io::stdout(), "{text}") {
+        // Whoever read along has seen enough.
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        written => Ok(written?),
     }
 }
 
@@ -61,11 +90,7 @@ fn run(order: &Order) -> Result<ExitCode, Failure> {
         text.push('\n');
     }
     text.push_str(&results.brief(output.directory()));
-    match writeln!(std::io::stdout(), "{text}") {
-        // Whoever read along has seen enough.
-        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => {}
-        written => written?,
-    }
+    say(&text)?;
     if let Some(how_far) = results.summary.parameters.get(Journal::UNFINISHED) {
         let how_far = how_far.as_str().unwrap_or_default();
         let sentence = format!(

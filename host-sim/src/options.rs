@@ -5,10 +5,11 @@
 
 use std::path::Path;
 
+use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager;
 use clap::Parser;
 
-use crate::cli::{BudgetArgs, Cli, Command, OutArgs, SeedArgs, WorldArgs};
+use crate::cli::{BudgetArgs, Cli, Command, Errand, OutArgs, SeedArgs, WorldArgs};
 use crate::device::budget::Budget;
 use crate::experiment::angle::{Angle, AngleOptions};
 use crate::experiment::calibrate::{Calibrate, CalibrateOptions};
@@ -21,10 +22,11 @@ use crate::experiment::noted::{Plan, Planned};
 use crate::experiment::plan::Experiment;
 use crate::experiment::recover::{Recover, RecoverOptions};
 use crate::failure::{Failure, Impossible};
+use crate::keeping::Training;
 use crate::progress::Progress;
 use crate::report::{Begin, Journal, Place, Results};
 use crate::world::config::{AfterCapture, PioneerConfig};
-use crate::world::setting::{WorldOptions, read_layout};
+use crate::world::setting::{MOST_ACTIONS, WorldOptions, read_layout};
 
 /// Most seeds of one run.
 const MOST_SEEDS: u64 = 100_000;
@@ -159,7 +161,59 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
             let options = HilOptions::new(seeds(which)?, *actions, *test_actions)?;
             (plan::<Hil>(options), out, Some(budget))
         }
+        Command::Errand(_) => return Err(Impossible::new("this is no experiment")),
     })
+}
+
+/// The training of one brain that the arguments ask for.
+///
+/// # Errors
+/// [`Impossible`] for the first thing that cannot be.
+pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
+    let Errand::Train {
+        seed,
+        world: place,
+        brain,
+        actions,
+        act,
+        load,
+        save,
+    } = errand
+    else {
+        return Ok(None);
+    };
+    if *actions > MOST_ACTIONS {
+        let sentence = format!("--actions must be at most {MOST_ACTIONS}, not {actions}");
+        return Err(Impossible::new(sentence));
+    }
+    let no = |option: &str, names: &str, it: &str| {
+        Impossible::new(format!("{option} is {names}, not {it:?}"))
+    };
+    Ok(Some(Training {
+        seed: *seed,
+        world: world(place)?,
+        brain: match brain.as_str() {
+            "book" => AgentConfig::BOOK,
+            "forager" => AgentConfig::FORAGER,
+            "forager-level2" => AgentConfig::FORAGER_LEVEL2,
+            "resilient" => AgentConfig::RESILIENT,
+            "resilient-level2" => AgentConfig::RESILIENT_LEVEL2,
+            other => {
+                let names = "book, forager, forager-level2, resilient or resilient-level2";
+                return Err(no("--brain", names, other));
+            }
+        },
+        actions: *actions,
+        act: match act.as_deref() {
+            None => None,
+            Some("frozen") => Some(Adaptation::Frozen),
+            Some("reliabilities") => Some(Adaptation::Reliabilities),
+            Some("relearning") => Some(Adaptation::Relearning),
+            Some(other) => return Err(no("--act", "frozen, reliabilities or relearning", other)),
+        },
+        load: load.clone(),
+        save: save.clone(),
+    }))
 }
 
 fn plan<E: Experiment + std::fmt::Debug + 'static>(options: E::Options) -> Box<dyn Planned> {

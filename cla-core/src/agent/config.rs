@@ -190,7 +190,7 @@ pub(crate) fn check_values(values: &[(ItemId, f32)], items: usize) -> Result<(),
     let mut most = 0.0;
     for &(item, value) in values {
         Range::below(items as f32).check("values: an item", f32::from(item.0))?;
-        Range::NOT_NEGATIVE.check("values: a value", value)?;
+        Range::VALUE.check("values: a value", value)?;
         if value > most {
             most = value;
         }

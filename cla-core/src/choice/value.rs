@@ -10,7 +10,7 @@ use core::fmt;
 
 use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::{Estimate, KnowledgeBase, Others, Schema};
-use crate::snapshot::{LARGEST, stored};
+use crate::snapshot::{LARGEST, LARGEST_VALUE, stored};
 use crate::word::{ItemId, ItemSet, ItemStates, SignedItems};
 
 /// How values spread from results to contexts.
@@ -83,6 +83,8 @@ pub enum InherentValueError {
     NotFinite,
     /// The value is below 0: there is nothing to avoid in this theory, only things to reach.
     Negative,
+    /// The value is above 10⁹: sums of values must stay finite.
+    TooLarge,
     /// The item does not fit the capacity.
     NoSuchItem,
 }
@@ -92,6 +94,7 @@ impl fmt::Display for InherentValueError {
         f.write_str(match self {
             Self::NotFinite => "an inherent value must be a finite number",
             Self::Negative => "an inherent value must not be negative",
+            Self::TooLarge => "an inherent value must be at most 1e9",
             Self::NoSuchItem => "the item does not fit the capacity",
         })
     }
@@ -116,6 +119,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         }
         if value < 0.0 {
             return Err(InherentValueError::Negative);
+        }
+        if value > LARGEST_VALUE {
+            return Err(InherentValueError::TooLarge);
         }
         let slot = self
             .inherent

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::snapshot::{stored, stored_as, stored_codes};
+
 /// Who may decide.
 ///
 /// ```
@@ -290,6 +292,20 @@ impl fmt::Display for MindConfigError {
 }
 
 impl core::error::Error for MindConfigError {}
+
+stored_as!(impl[] Heard);
+stored_codes!(Doubting {
+    0: (Self::Never),
+    1: (Self::WhenRewardsStayAway)
+});
+stored! {
+    impl[] MindConfig {
+        exploring, exploring_acting, discount, lambda, habit_discount, habit_lambda, habit_rate,
+        block, trying, trying_acting, patience, burst, habit_rate_doubting, heard, model_discount,
+        remembered, remembered_doubting, doubting, prior, felt, spread, work
+    }
+    sound |it, _limits| it.check().is_ok()
+}
 
 #[cfg(test)]
 #[path = "config_tests.rs"]

@@ -4,6 +4,8 @@
 //! learn faster, the model forgets faster), and what was lived before weighs little in the leaves of
 //! the trees, whose questions stay.
 
+use crate::snapshot::stored;
+
 /// The share of the usual rewards that is asked for.
 const ASKED: f32 = 0.65;
 /// So many rewards must be missing.
@@ -66,6 +68,8 @@ impl Doubt {
         true
     }
 }
+
+stored! { impl[] Doubt { usual, missing, acted, left, alarms } }
 
 #[cfg(test)]
 #[path = "doubt_tests.rs"]

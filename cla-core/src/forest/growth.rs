@@ -8,6 +8,7 @@ use super::memory::{Memory, STRETCH};
 use super::relevance::Relevance;
 use super::tally::{Split, Tally};
 use super::tree::{Place, Trees};
+use crate::snapshot::{stored, stored_codes};
 
 /// Samples that are looked at before the budget is asked again.
 const AT_ONCE: u16 = 8;
@@ -434,4 +435,24 @@ pub(super) const fn mix(x: u32) -> u32 {
     let x = x ^ (x >> 13);
     let x = x.wrapping_mul(0xC2B2_AE3D);
     x ^ (x >> 16)
+}
+
+stored_codes!(Phase {
+    0: (Self::Rest),
+    1: (Self::Count),
+    2: (Self::Place),
+    3: (Self::Tally),
+    4: (Self::Part),
+});
+stored_codes!(Side {
+    0: (Self::Root),
+    1: (Self::Yes),
+    2: (Self::No)
+});
+stored! { impl[] Leaf { start, len, pair, side, action, feature, share, value, gain } }
+stored! {
+    impl[const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEAVES: usize]
+    Growth<ITEMS, ACTIONS, STRETCHES, LEAVES> {
+        index, leaves, tally, starts, ends, phase, leaf, count, brother, at, end, drawn, sum, seed
+    }
 }

@@ -5,6 +5,7 @@
 //! A full memory gives up its oldest stretch.
 
 use super::moment::{Moment, NO_ACTION};
+use crate::snapshot::stored;
 use crate::word::ItemStates;
 
 /// Samples of a stretch.
@@ -238,6 +239,13 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
             sample.target = target;
             sample.marks |= TARGET;
         }
+    }
+}
+
+stored! { impl[const WORDS: usize] Sample<WORDS> { now, reward, target, action, marks } }
+stored! {
+    impl[const WORDS: usize, const STRETCHES: usize] Memory<WORDS, STRETCHES> {
+        samples, head, len, recent
     }
 }
 

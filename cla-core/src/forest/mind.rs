@@ -16,6 +16,7 @@ use super::trees::{Forest, Horizon};
 use super::voices::Voices;
 use crate::num::Rng;
 use crate::reason::Reasoning;
+use crate::snapshot::stored_codes;
 use crate::word::{ActionId, ItemSet, ItemStates};
 
 /// How many voices there are.
@@ -33,11 +34,17 @@ const CLOSE: f32 = 1.0e-6;
 /// What a mind is doing with its life.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Age {
+pub(super) enum Age {
     Unborn,
     Training,
     Acting,
 }
+
+stored_codes!(Age {
+    0: (Self::Unborn),
+    1: (Self::Training),
+    2: (Self::Acting)
+});
 
 /// A learner in fixed memory, the same in every world.
 ///
@@ -82,32 +89,32 @@ pub struct Mind<
     pub(super) habits: Sarsa<WORDS, ITEMS, ACTIONS, ROWS>,
     pub(super) model: Model<ACTIONS, STATES, LINKS>,
     /// The last deed as the model sees it, its action and what it brought.
-    state: State,
-    did: u8,
-    brought: f32,
+    pub(super) state: State,
+    pub(super) did: u8,
+    pub(super) brought: f32,
     pub(super) voices: Voices<VOICES>,
     pub(super) runs: Runs<ITEMS>,
     pub(super) doubt: Doubt,
-    values: [f32; ITEMS],
+    pub(super) values: [f32; ITEMS],
     pub(super) config: MindConfig,
-    rng: Rng,
-    age: Age,
+    pub(super) rng: Rng,
+    pub(super) age: Age,
     /// What was perceived when the last action was chosen, and that action.
-    before: ItemStates<WORDS>,
-    last: u8,
+    pub(super) before: ItemStates<WORDS>,
+    pub(super) last: u8,
     /// The action whose result is awaited, where it was chosen, and why.
-    chosen: u8,
+    pub(super) chosen: u8,
     pub(super) now: ItemStates<WORDS>,
     /// Actions since anything was earned, how long that mostly is, and how often it happened.
-    since: u16,
-    wait: f32,
-    earned: u16,
-    burst: u16,
+    pub(super) since: u16,
+    pub(super) wait: f32,
+    pub(super) earned: u16,
+    pub(super) burst: u16,
     pub(super) reason: R,
     /// Whether the leader of the block chose.
-    led: bool,
+    pub(super) led: bool,
     /// Actions of chance that follow each other, those that are left.
-    stroll: u16,
+    pub(super) stroll: u16,
     /// What the last choice was, for whom asks why.
     pub(super) said: Option<Deliberation>,
 }

@@ -16,6 +16,7 @@ mod config;
 mod doubt;
 mod goals;
 mod growth;
+mod image;
 mod inspect;
 mod memory;
 mod mind;

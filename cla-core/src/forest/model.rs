@@ -6,6 +6,8 @@
 //! New trials weigh more than old ones, so the model follows a world that changes.
 //! Rows and links lie in fixed tables; a full one gives up what was not met for longest.
 
+use crate::snapshot::stored;
+
 /// Places in which a row may lie.
 const PROBES: u32 = 8;
 /// A link that is followed less often than this among its like is given up.
@@ -440,6 +442,16 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
         let row = row.and_then(|place| self.rows.get(usize::from(place)));
         row.map_or([0.0; ACTIONS], |row| row.values)
     }
+}
+
+stored! { impl[] State { step, percept } }
+stored! { impl[] Link { key, to, next, weight, reward } }
+stored! {
+    impl[const ACTIONS: usize] Row<ACTIONS> { key, percept, worth, felt, links, values, met }
+}
+stored! {
+    impl[const ACTIONS: usize, const STATES: usize, const LINKS: usize]
+    Model<ACTIONS, STATES, LINKS> { rows, links, free, fresh, clock, at, given_up }
 }
 
 #[cfg(test)]

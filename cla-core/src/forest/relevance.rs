@@ -4,6 +4,7 @@
 //! which blink at random fill no table; contexts ask more of an item outside of it.
 
 use super::moment::Feature;
+use crate::snapshot::stored;
 use crate::word::{ItemId, ItemSet};
 
 /// An item above this joins the mask.
@@ -88,6 +89,12 @@ impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
         }
         self.told = true;
         self.mask != before
+    }
+}
+
+stored! {
+    impl[const WORDS: usize, const ITEMS: usize] Relevance<WORDS, ITEMS> {
+        clearest, mean, mask, told
     }
 }
 

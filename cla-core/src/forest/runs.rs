@@ -4,6 +4,7 @@
 //! Two counters an item: its present run and its longest.
 //! A run that ends is believed, however long it was; what was never seen to end is not judged.
 
+use crate::snapshot::stored;
 use crate::word::{ItemId, ItemStates};
 
 /// Runs shorter than this are never doubted.
@@ -69,6 +70,8 @@ impl<const ITEMS: usize> Runs<ITEMS> {
         stuck
     }
 }
+
+stored! { impl[const ITEMS: usize] Runs<ITEMS> { present, longest } }
 
 #[cfg(test)]
 #[path = "runs_tests.rs"]

@@ -7,6 +7,7 @@
 //! table needs no keys and is never full.
 
 use super::growth::mix;
+use crate::snapshot::stored;
 use crate::word::ItemSet;
 
 /// Deeds that are felt; what is older has faded to a ten-thousandth.
@@ -244,6 +245,18 @@ fn add<const ACTIONS: usize>(sums: &mut [f32; ACTIONS], values: Option<&[f32; AC
         for (sum, value) in sums.iter_mut().zip(values) {
             *sum += value;
         }
+    }
+}
+
+stored! { impl[const WORDS: usize] Scene<WORDS> { on, row, owner } }
+stored! { impl[const WORDS: usize] Deed<WORDS> { scene, action } }
+stored! {
+    impl[const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: usize]
+    Sarsa<WORDS, ITEMS, ACTIONS, ROWS> {
+        always, items, rows, owners, crowding, deeds,
+        newest if |it: &u8| usize::from(*it) < FELT,
+        count if |it: &u8| usize::from(*it) <= FELT,
+        reward, least, most
     }
 }
 

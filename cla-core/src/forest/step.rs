@@ -4,6 +4,7 @@
 use core::fmt;
 
 use super::config::{MindConfigError, Voice};
+use crate::snapshot::{stored, stored_codes};
 use crate::word::ActionId;
 
 /// The greatest reward, and the greatest harm, of one action.
@@ -167,3 +168,16 @@ pub(super) fn check_reward(reward: f32) -> Result<(), MindError> {
         Err(MindError::Reward)
     }
 }
+
+stored! { impl[] Deliberation { action, value, motive } }
+stored_codes!(Motive {
+    0: (Self::Voice(Voice::TreesAndHabits)),
+    1: (Self::Voice(Voice::Trees)),
+    2: (Self::Voice(Voice::Habits)),
+    3: (Self::Voice(Voice::Model)),
+    4: (Self::Voice(Voice::ModelAndHabits)),
+    5: (Self::Chance),
+    6: (Self::Escape),
+    7: (Self::Goal),
+    8: (Self::Voice(Voice::Plans)),
+});

@@ -4,6 +4,7 @@
 
 use super::moment::Moment;
 use super::relevance::Relevance;
+use crate::snapshot::stored;
 use crate::word::ItemSet;
 
 /// Samples that a split leaves on each side, at least.
@@ -190,5 +191,12 @@ impl<const ITEMS: usize, const ACTIONS: usize> Tally<ITEMS, ACTIONS> {
         let (split, clear) = best?;
         relevance.note(split.feature, clear);
         Some(split)
+    }
+}
+
+stored! { impl[] Share { on, unknown, on_sum, unknown_sum } }
+stored! {
+    impl[const ITEMS: usize, const ACTIONS: usize] Tally<ITEMS, ACTIONS> {
+        count, sum, squares, old, old_sum, now, before, after
     }
 }

@@ -10,6 +10,7 @@ use super::memory::{Memory, Sample};
 use super::moment::Moment;
 use super::relevance::Relevance;
 use super::tree::{See, Trees};
+use crate::snapshot::{stored, stored_codes};
 use crate::word::{ItemId, ItemSet};
 
 /// Members that speak; one more grows.
@@ -257,6 +258,24 @@ impl<
             }
             _ => (best, units),
         }
+    }
+}
+
+stored_codes!(Work {
+    0: (Self::Rest),
+    1: (Self::Sweep),
+    2: (Self::Grow)
+});
+stored! {
+    impl[
+        const WORDS: usize,
+        const ITEMS: usize,
+        const ACTIONS: usize,
+        const STRETCHES: usize,
+        const LEAVES: usize
+    ]
+    Forest<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES> {
+        memory, members, growth, relevance, spare, work, at, left, fresh, grown, seed
     }
 }
 

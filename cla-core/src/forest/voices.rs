@@ -6,6 +6,7 @@
 //! All voices learn from everything, whoever leads.
 
 use crate::num::Rng;
+use crate::snapshot::stored;
 
 /// How much of a track record a new block makes, at least.
 const NEWEST: f32 = 0.1;
@@ -118,6 +119,12 @@ impl<const VOICES: usize> Voices<VOICES> {
         self.done = self.done.saturating_add(1);
         self.reach = DISCOUNT * self.reach + 1.0;
         self.gathered += reward * self.reach;
+    }
+}
+
+stored! {
+    impl[const VOICES: usize] Voices<VOICES> {
+        earned, blocks, leader, left, done, gathered, reach
     }
 }
 

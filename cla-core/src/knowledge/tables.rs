@@ -169,6 +169,15 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             .map(|pattern| pattern.items)
     }
 
+    /// What being where a conjunction holds is worth: the expected discounted value of acting well
+    /// from there, without what it is worth itself; `None` for an id that is not in the table.
+    #[must_use]
+    pub fn value(&self, id: PatternId) -> Option<f32> {
+        self.patterns
+            .get(usize::from(id.0))
+            .map(|pattern| pattern.value)
+    }
+
     /// Forgets all schemas and deferred values; inherent values and counted losses stay.
     pub fn forget_schemas(&mut self) {
         self.schemas.clear();

@@ -225,13 +225,21 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
         let Some(tried) = row.and_then(|row| row.tried.get_mut(usize::from(action.0))) else {
             return;
         };
-        let full = *tried * forgetting >= 1.0;
+        // What never forgets is halved before a count of floats stands still.
+        let kept = if *tried >= LARGEST_COUNT / 2.0 {
+            0.5
+        } else if *tried * forgetting >= 1.0 {
+            1.0 - forgetting
+        } else {
+            1.0
+        };
+        let full = kept < 1.0;
         if full {
-            *tried *= 1.0 - forgetting;
+            *tried *= kept;
         }
         *tried += 1.0;
         if full {
-            self.weaken(trace, action, 1.0 - forgetting);
+            self.weaken(trace, action, kept);
         }
         if let Some(item) = item {
             self.count(trace, item);

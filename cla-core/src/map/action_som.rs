@@ -96,6 +96,8 @@ impl Config for TrainingConfig {
         for samples in [0, u32::MAX] {
             Range::SHARE.check("TrainingConfig::alpha", self.alpha.at(samples))?;
         }
+        let sigma = self.sigma.at(0);
+        Range::NOT_NEGATIVE.check("TrainingConfig::sigma", sigma)?;
         Range::SHARE.check("TrainingConfig::cut", self.cut)?;
         Range::NOT_NEGATIVE.check("TrainingConfig::result_weight", self.result_weight)?;
         check_some(&self.recruitment)
@@ -119,6 +121,10 @@ pub enum Trained {
     /// As `Recruited`, but that node had won before: the map is full and forgot what it stood for.
     Displaced,
 }
+
+/// Samples of a map after which all its wins are halved: so many and what is left of those before
+/// fit 16 bits however they are spread, and shares stay what they are.
+const HALVED_EVERY: u32 = 32_000;
 
 /// Work memory for one map at a time, shared by a whole bank.
 #[derive(Clone, Debug)]
@@ -214,7 +220,7 @@ impl<
         self.result.weight(node, item)
     }
 
-    /// How often a node was the best matching unit, up to 65,535.
+    /// How often a node was the best matching unit; halved for all nodes every 32,000 samples.
     #[must_use]
     pub fn wins(&self, node: NodeId) -> u16 {
         self.wins
@@ -248,6 +254,9 @@ impl<
         let best = self.search(sample, config.result_weight, scratch);
         let samples = self.samples;
         self.samples = samples.saturating_add(1);
+        if self.samples.is_multiple_of(HALVED_EVERY) {
+            self.halve_wins();
+        }
         let novel = |it: &Recruitment| samples >= it.after && best.squared_distance > it.vigilance;
         if config.recruitment.as_ref().is_some_and(novel) {
             scratch.cost.moved = scratch.cost.moved.wrapping_add(2);
@@ -351,6 +360,14 @@ impl<
             (Trained::Displaced, node)
         } else {
             (Trained::Recruited, node)
+        }
+    }
+
+    /// Lets all wins count for half; a node that has won has won at least once.
+    #[inline(never)]
+    fn halve_wins(&mut self) {
+        for wins in self.wins.as_mut_slice() {
+            *wins = wins.div_ceil(2);
         }
     }
 

@@ -138,19 +138,37 @@ impl Schedule {
     /// The value after `samples` samples; always between the two ends.
     #[must_use]
     pub fn at(&self, samples: u32) -> f32 {
-        match self.shape {
+        let value = match self.shape {
             Shape::Linear { steps } if samples < steps => {
                 self.from + (self.to - self.from) * (samples as f32 / steps as f32)
             }
             Shape::Geometric { steps } if samples < steps => {
                 let share = samples as f32 / steps as f32;
-                // from·(to/from)^share.
-                self.from * exp(share * ln(self.to / self.from))
+                let ratio = self.to / self.from;
+                if ratio >= f32::MIN_POSITIVE && ratio.is_finite() {
+                    // from·(to/from)^share.
+                    self.from * exp(share * ln(ratio))
+                } else {
+                    exp(ln(self.from) + share * (ln(self.to) - ln(self.from)))
+                }
             }
             Shape::Linear { .. } | Shape::Geometric { .. } => self.to,
             Shape::Decay { time_constant } => {
                 self.to + (self.from - self.to) * exp(-(samples as f32) / time_constant)
             }
+        };
+        // Rounding may lead past an end.
+        let (least, most) = if self.from < self.to {
+            (self.from, self.to)
+        } else {
+            (self.to, self.from)
+        };
+        if value < least {
+            least
+        } else if value > most {
+            most
+        } else {
+            value
         }
     }
 }
@@ -280,6 +298,26 @@ mod tests {
         assert!((it.at(600) - (0.2 + 0.8 * 0.367_879_44)).abs() < 1e-6);
         assert!((it.at(1200) - (0.2 + 0.8 * 0.135_335_28)).abs() < 1e-6);
         assert_eq!(it.at(1_000_000), 0.2);
+    }
+
+    #[test]
+    fn no_schedule_leaves_its_ends_however_far_they_are_apart() {
+        let ends = [1e-45, 1e-38, 1e-30, 0.1, 0.3, 1.0, 1e30, f32::MAX];
+        for (from, to) in ends.iter().flat_map(|&a| ends.map(|b| (a, b))) {
+            for it in [
+                Schedule::linear(from, to, 10),
+                Schedule::geometric(from, to, 10),
+                Schedule::decay(from, to, 3.0),
+                Schedule::decay(from, to, 1e-45),
+            ] {
+                let it = it.unwrap();
+                for t in [0, 1, 5, 9, 10, 11, 1000, u32::MAX] {
+                    let value = it.at(t);
+                    let inside = value >= from.min(to) && value <= from.max(to);
+                    assert!(inside, "{it:?} at {t}: {value}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -5,6 +5,9 @@
 pub(super) const VERSION: u16 = 1;
 /// The largest number in a sound brain: sums over tables and products with counts stay finite.
 pub(crate) const LARGEST: f32 = 1e20;
+/// The largest worth that an item may have for its own sake: summed over all items and divided by the
+/// smallest 1 − discount it stays below [`LARGEST`].
+pub(crate) const LARGEST_VALUE: f32 = 1e9;
 /// The largest count that is a float: from here on 1 more is lost by rounding.
 pub(crate) const LARGEST_COUNT: f32 = 16_777_216.0;
 

@@ -32,7 +32,7 @@ mod writer;
 pub use header::{Names, Profile};
 pub use image::{Snapshot, load, save};
 pub use limits::Limits;
-pub(crate) use limits::{LARGEST, LARGEST_COUNT};
+pub(crate) use limits::{LARGEST, LARGEST_COUNT, LARGEST_VALUE};
 pub use port::{Sink, SinkFull, SliceSink, Source, SourceEnd};
 pub use reader::Reader;
 pub use refusal::{LoadError, SaveError};

@@ -280,6 +280,15 @@ impl<T: Stored> Stored for Option<T> {
     }
 }
 
+/// Nothing takes no bytes.
+impl Stored for () {
+    const BLANK: Self = ();
+
+    fn store(&self, _: &mut Writer<'_>) {}
+
+    fn restore(&mut self, _: &mut Reader<'_>) {}
+}
+
 impl<A: Stored, B: Stored> Stored for (A, B) {
     const BLANK: Self = (A::BLANK, B::BLANK);
 

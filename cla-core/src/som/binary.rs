@@ -248,8 +248,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
     /// Moves the prototypes around `winner` towards the stimulus: m ← m + α·h·(x − m) on known
     /// features, for the nodes that `may_move` lets.
     ///
-    /// `alpha` lies in `[0, 1]`.
-    /// A winner outside the map changes nothing.
+    /// `alpha` lies in `[0, 1]`; another one, and a winner outside the map, change nothing.
     pub fn train(
         &mut self,
         stimulus: &SparseStimulus<'_>,
@@ -258,7 +257,9 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         neighbourhood: &Neighbourhood<WIDTH, HEIGHT>,
         may_move: impl Fn(NodeId) -> bool,
     ) {
-        if usize::from(winner.0) >= Grid::<f32, WIDTH, HEIGHT>::NODES {
+        if usize::from(winner.0) >= Grid::<f32, WIDTH, HEIGHT>::NODES
+            || !(0.0..=1.0).contains(&alpha)
+        {
             return;
         }
         let (column, row) = self.scale.position(winner);

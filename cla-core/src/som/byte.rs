@@ -112,7 +112,9 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
         neighbourhood: &Neighbourhood<WIDTH, HEIGHT>,
         may_move: impl Fn(NodeId) -> bool,
     ) {
-        if usize::from(winner.0) >= Grid::<i8, WIDTH, HEIGHT>::NODES {
+        if usize::from(winner.0) >= Grid::<i8, WIDTH, HEIGHT>::NODES
+            || !(0.0..=1.0).contains(&alpha)
+        {
             return;
         }
         let (column, row) = Grid::<i8, WIDTH, HEIGHT>::filled(0).position(winner);

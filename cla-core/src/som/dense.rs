@@ -49,15 +49,30 @@ pub enum StimulusError {
         /// The first such feature.
         feature: u16,
     },
+    /// A feature lies farther from 0 than 10¹⁵, and a squared distance might be infinite; the map is
+    /// unchanged.
+    TooLarge {
+        /// The first such feature.
+        feature: u16,
+    },
 }
+
+/// How far from 0 a feature may lie: of as many features as a map may have, the square of twice that
+/// adds up to a finite number.
+const FARTHEST: f32 = 1e15;
 
 impl fmt::Display for StimulusError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self::NotFinite { feature } = self;
-        write!(
-            f,
-            "feature {feature} of the stimulus is not a finite number"
-        )
+        match self {
+            Self::NotFinite { feature } => write!(
+                f,
+                "feature {feature} of the stimulus is not a finite number"
+            ),
+            Self::TooLarge { feature } => write!(
+                f,
+                "feature {feature} of the stimulus lies farther from 0 than 1e15"
+            ),
+        }
     }
 }
 
@@ -103,7 +118,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
     /// Writes ‖x − m‖² of every node into `distances`, feature 0 first.
     ///
     /// # Errors
-    /// [`StimulusError`] when a feature is not finite; `distances` is then unchanged.
+    /// [`StimulusError`] when a feature is not finite or lies farther from 0 than 10¹⁵; `distances` is then unchanged.
     pub fn squared_distances(
         &self,
         stimulus: &[f32; FEATURES],
@@ -126,7 +141,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
     /// The node whose prototype is nearest to `stimulus`; ties go to the lowest index.
     ///
     /// # Errors
-    /// [`StimulusError`] when a feature is not finite.
+    /// [`StimulusError`] when a feature is not finite or lies farther from 0 than 10¹⁵.
     pub fn best_matching_unit(
         &self,
         stimulus: &[f32; FEATURES],
@@ -140,8 +155,8 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
     ///
     /// A weight that comes nearer to 0 than 10⁻¹⁸ becomes 0.
     /// `alpha` lies in `[0, 1]`; the stimulus is one that [`squared_distances`](Self::squared_distances)
-    /// accepted.
-    /// A winner outside the map changes nothing.
+    /// accepts.
+    /// With another one, and with a winner outside the map, nothing changes.
     pub fn train(
         &mut self,
         stimulus: &[f32; FEATURES],
@@ -149,7 +164,10 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         alpha: f32,
         neighbourhood: &Neighbourhood<WIDTH, HEIGHT>,
     ) {
-        if usize::from(winner.0) >= Grid::<f32, WIDTH, HEIGHT>::NODES {
+        if usize::from(winner.0) >= Grid::<f32, WIDTH, HEIGHT>::NODES
+            || !(0.0..=1.0).contains(&alpha)
+            || check(stimulus).is_err()
+        {
             return;
         }
         let (column, row) = self.prototypes.position(winner);
@@ -179,12 +197,16 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Default
 }
 
 fn check(stimulus: &[f32]) -> Result<(), StimulusError> {
-    match stimulus.iter().position(|value| !value.is_finite()) {
-        Some(feature) => Err(StimulusError::NotFinite {
-            feature: feature as u16,
-        }),
-        None => Ok(()),
-    }
+    // What is NaN is not within.
+    let within = |value: &f32| value.abs() <= FARTHEST;
+    let Some(index) = stimulus.iter().position(|value| !within(value)) else {
+        return Ok(());
+    };
+    let feature = index as u16;
+    Err(match stimulus.get(index) {
+        Some(value) if value.is_finite() => StimulusError::TooLarge { feature },
+        _ => StimulusError::NotFinite { feature },
+    })
 }
 
 fn four_squared_distances<const FEATURES: usize>(

@@ -266,11 +266,13 @@ entries! {
         Some(lesson)
     }
 
-    "save" (brain: &Agent6, to: &mut SliceSink<'_>) -> Result<u32, SaveError<SinkFull>> {
-        let length = snapshot::save(brain, VOCABULARY.names(), to)?;
+    "save" (brain: &Agent6, mind: &Forest, to: &mut SliceSink<'_>) -> Result<u32, SaveError<SinkFull>> {
+        let length = snapshot::save(brain, VOCABULARY.names(), to)? + snapshot::save(mind, Names::UNKNOWN, to)?;
         Ok(length.min(to.written() as u32))
     }
-    "load" (it: &mut Agent6, from: &mut &[u8]) -> Option<u32> { snapshot::load(it, Names::UNKNOWN, from).ok() }
+    "load" (it: &mut Agent6, mind: &mut Forest, from: &mut &[u8]) -> Option<u32> {
+        snapshot::load(mind, Names::UNKNOWN, from).ok().or(snapshot::load(it, Names::UNKNOWN, from).ok())
+    }
     "load_bytes" (it: &mut small::Brain, from: &mut &[u8]) -> Result<u32, LoadError<SourceEnd>> { snapshot::load(it, Names::of(&["a"], &["b"]), from) }
     "say_snapshot" (a: &SaveError<SinkFull>, b: &LoadError<SourceEnd>, to: &mut Nowhere) { let _ = write!(to, "{a}{b}"); }
 

@@ -1,0 +1,140 @@
+//! A mind's image: everything that makes its next step what it would have been.
+
+use super::mind::{Age, Mind};
+use super::model::Model;
+use super::sarsa::Sarsa;
+use super::trees::Forest;
+use crate::num::Rng;
+use crate::reason::Reasoning;
+use crate::snapshot::{Limits, Profile, Reader, Snapshot, Stored, Writer, check_field, check_that};
+
+/// The fields of the section "life", each with what it may be.
+macro_rules! life {
+    ($each:ident, $by:tt) => {
+        $each! {
+            $by;
+            state,
+            did,
+            brought,
+            voices,
+            runs,
+            doubt,
+            values,
+            config,
+            rng if Rng::is_seeded,
+            age if |it: &Age| *it != Age::Unborn,
+            before,
+            last,
+            chosen,
+            now,
+            since,
+            wait,
+            earned,
+            burst,
+            led,
+            stroll,
+            said,
+        }
+    };
+}
+
+macro_rules! store {
+    (($it:expr, $to:expr); $($part:ident $(if $test:expr)?),* $(,)?) => {{ $(
+        $it.$part.store($to);
+        $($to.require($test(&$it.$part));)?
+    )* }};
+}
+
+macro_rules! restore {
+    (($it:expr, $from:expr); $($part:ident $(if $test:expr)?),* $(,)?) => {{ $(
+        $it.$part.restore($from);
+        $($from.require($test(&$it.$part));)?
+    )* }};
+}
+
+macro_rules! check {
+    ($from:expr; $($part:ident $(if $test:expr)?),* $(,)?) => {{
+        $(check!(@ $from, $part $(, $test)?);)*
+    }};
+    (@ $from:expr, $part:ident) => {
+        check_field(|it: &Self| &it.$part, $from)
+    };
+    (@ $from:expr, $part:ident, $test:expr) => {
+        check_that(|it: &Self| &it.$part, $test, $from)
+    };
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+    const ROWS: usize,
+    const STATES: usize,
+    const LINKS: usize,
+    R: Reasoning<WORDS, ITEMS, ACTIONS> + Stored,
+> Snapshot for Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS, R>
+{
+    const PROFILE: Profile = Profile {
+        kind: 2,
+        weights: 0,
+        capacities: &[
+            ("words", WORDS as u32),
+            ("items", ITEMS as u32),
+            ("actions", ACTIONS as u32),
+            ("stretches", STRETCHES as u32),
+            ("leaves", LEAVES as u32),
+            ("rows", ROWS as u32),
+            ("states", STATES as u32),
+            ("links", LINKS as u32),
+        ],
+    };
+
+    const SECTIONS: &'static [&'static str] =
+        &["memory and trees", "habits", "model", "reason", "life"];
+
+    fn is_born(&self) -> bool {
+        self.age != Age::Unborn
+    }
+
+    fn limits() -> Limits {
+        Limits::of(ACTIONS as u16)
+    }
+
+    fn store_section(&self, number: usize, to: &mut Writer<'_>) {
+        match number {
+            0 => self.forest.store(to),
+            1 => self.habits.store(to),
+            2 => self.model.store(to),
+            3 => self.reason.store(to),
+            _ => life!(store, (self, to)),
+        }
+    }
+
+    fn check_section(number: usize, from: &mut Reader<'_>) {
+        match number {
+            0 => Forest::<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES>::check(from),
+            1 => Sarsa::<WORDS, ITEMS, ACTIONS, ROWS>::check(from),
+            2 => Model::<ACTIONS, STATES, LINKS>::check(from),
+            3 => R::check(from),
+            _ => life!(check, from),
+        }
+    }
+
+    fn restore_section(&mut self, number: usize, from: &mut Reader<'_>) {
+        match number {
+            0 => self.forest.restore(from),
+            1 => self.habits.restore(from),
+            2 => self.model.restore(from),
+            3 => self.reason.restore(from),
+            _ => life!(restore, (self, from)),
+        }
+    }
+
+    fn rebuild(&mut self) {}
+
+    fn forsake(&mut self) {
+        self.age = Age::Unborn;
+    }
+}

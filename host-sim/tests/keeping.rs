@@ -1,0 +1,148 @@
+//! Brains in files, as the program's user and its library meet them.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use cla_core::agent::{Adaptation, AgentConfig};
+use cla_core::forager::pioneer::VOCABULARY;
+use host_sim::keeping::{keep, recall};
+use host_sim::learner::forager::Forager;
+use host_sim::learner::{Learner, live};
+use host_sim::world::config::PioneerConfig;
+use host_sim::world::pioneer::Pioneer;
+
+/// A folder of this test's own, removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("keeping-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // What the system cannot remove now it removes with its temporary files.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn run(folder: &Folder, arguments: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
+    let command = command.args(arguments.split(' ')).current_dir(&folder.0);
+    command.output().unwrap()
+}
+
+fn said(folder: &Folder, arguments: &str) -> String {
+    let output = run(folder, arguments);
+    assert!(output.status.success(), "{output:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn a_life_that_is_stopped_and_gone_on_with_ends_in_the_same_bytes() {
+    let folder = Folder::new("resume");
+    let file = |name: &str| folder.0.join(name);
+    for (index, config) in [AgentConfig::FORAGER, AgentConfig::RESILIENT_LEVEL2]
+        .into_iter()
+        .enumerate()
+    {
+        let seed = 7 + index as u64;
+        let born = || Forager::born(config, Adaptation::Relearning, seed).unwrap();
+        let end = |stops: &[u32]| {
+            let mut world = Pioneer::new(PioneerConfig::NOISY, seed).unwrap();
+            let mut forager = born();
+            for (done, stop) in stops.iter().enumerate() {
+                if done == 2 {
+                    forager.act().unwrap();
+                }
+                let lived = live(&mut forager, &mut world, *stop).unwrap();
+                assert!(lived.total() < 1000);
+                keep(forager.brain(), VOCABULARY.names(), &file("life")).unwrap();
+                let mut other =
+                    Forager::born(AgentConfig::BOOK, Adaptation::Relearning, 1).unwrap();
+                recall(other.brain_mut(), VOCABULARY.names(), &file("life")).unwrap();
+                forager = other;
+            }
+            fs::read(file("life")).unwrap()
+        };
+        let whole = {
+            let mut world = Pioneer::new(PioneerConfig::NOISY, seed).unwrap();
+            let mut forager = born();
+            live(&mut forager, &mut world, 1500).unwrap();
+            forager.act().unwrap();
+            live(&mut forager, &mut world, 1000).unwrap();
+            keep(forager.brain(), VOCABULARY.names(), &file("whole")).unwrap();
+            fs::read(file("whole")).unwrap()
+        };
+        assert!(end(&[700, 800, 1000]) == whole, "{config:?}");
+    }
+    let left: Vec<_> = fs::read_dir(&folder.0).unwrap().flatten().collect();
+    assert_eq!(left.len(), 2, "{left:?}");
+}
+
+#[test]
+fn a_brain_is_trained_kept_gone_on_with_and_looked_into() {
+    let folder = Folder::new("program");
+    let first = said(
+        &folder,
+        "train --actions 1500 --brain forager-level2 --save a.brain",
+    );
+    assert!(first.contains("trained for 1500 actions") && first.contains("saved a.brain"));
+    let second = said(
+        &folder,
+        "train --actions 300 --act relearning --load a.brain --save b.brain",
+    );
+    assert!(second.contains("loaded a.brain") && second.contains("acted for 300"));
+    let again = said(
+        &folder,
+        "train --actions 300 --act relearning --load a.brain --save c.brain",
+    );
+    assert_eq!(again, second.replace("b.brain", "c.brain"));
+    let read = |name: &str| fs::read(folder.0.join(name)).unwrap();
+    assert!(read("b.brain") == read("c.brain") && read("a.brain") != read("b.brain"));
+    let seen = said(&folder, "inspect a.brain --most 5");
+    for word in [
+        "Training",
+        "ingrip",
+        "10.00",
+        "/forward/",
+        "synthetic items",
+        "→",
+    ] {
+        assert!(seen.contains(word), "{word}: {seen}");
+    }
+}
+
+#[test]
+fn a_file_that_is_no_brain_is_refused_in_a_sentence_and_stays() {
+    let folder = Folder::new("refused");
+    said(&folder, "train --actions 200 --save a.brain");
+    let whole = fs::read(folder.0.join("a.brain")).unwrap();
+    let refused = |arguments: &str| {
+        let output = run(&folder, arguments);
+        assert_eq!(output.status.code(), Some(1), "{output:?}");
+        let sentence = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(sentence.lines().count(), 1, "{sentence}");
+        sentence
+    };
+    let mut damaged = whole.clone();
+    damaged[5000] ^= 4;
+    let with = |bytes: &[u8]| fs::write(folder.0.join("b.brain"), bytes).unwrap();
+    with(&damaged);
+    assert!(refused("inspect b.brain").contains("damaged in its"));
+    assert!(refused("train --load b.brain --save b.brain").contains("damaged"));
+    assert!(fs::read(folder.0.join("b.brain")).unwrap() == damaged);
+    with(&whole[..whole.len() - 1]);
+    assert!(refused("inspect b.brain").contains("the end of the image is missing"));
+    with(&[&whole[..], &[0]].concat());
+    assert!(refused("inspect b.brain").contains("bytes behind the image"));
+    with(b"no brain at all, but long enough to have a header: it goes on and on and on and on");
+    assert!(refused("inspect b.brain").contains("no image of a brain"));
+    assert!(refused("inspect none.brain").contains("cannot read"));
+    let output = run(&folder, "train --act never");
+    assert_eq!(output.status.code(), Some(2));
+}
