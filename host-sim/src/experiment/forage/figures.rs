@@ -53,6 +53,14 @@ fn courses(options: &ForageOptions, trials: &[Trial], score: fn(&Captures) -> u3
     ]
 }
 
+/// What the lines of learning curves and the bands around them are.
+const fn bands(trials: &[Trial]) -> &'static str {
+    match trials.len() {
+        1 => "One life has no band.",
+        _ => "Lines: mean; bands: 95 % interval of the mean, from seed to seed.",
+    }
+}
+
 fn learning_curve(options: &ForageOptions, trials: &[Trial]) -> Result<Picture, FigureError> {
     let span = Span {
         from: 0.0,
@@ -71,14 +79,11 @@ fn learning_curve(options: &ForageOptions, trials: &[Trial]) -> Result<Picture, 
         level("servo of the Stage runs", |t| t.sector),
         level("random actions", |t| t.random),
     ];
-    let bands = match trials.len() {
-        1 => "One life has no band.",
-        _ => "Lines: mean; bands: 95 % interval of the mean, from seed to seed.",
-    };
     let caption = format!(
-        "{}. {bands} Tests of {} actions, specimens that are taken reappear elsewhere; what does not \
+        "{}. {} Tests of {} actions, specimens that are taken reappear elsewhere; what does not \
          learn is tested once. {}.",
         sample(&options.seeds),
+        bands(trials),
         options.test_actions,
         options.world.words(),
     );
@@ -112,10 +117,10 @@ fn in_the_books_unit(options: &ForageOptions, trials: &[Trial]) -> Result<Pictur
         book("book, both: 22.9 ± 1.19", 22.9, half),
     ];
     let caption = format!(
-        "{}; book: 10 runs, ± is the standard deviation. Lines: mean; bands: 95 % interval of the \
-         mean, from seed to seed. Specimens that are taken are gone; after 28 there are none, so the \
-         number saturates. {}.",
+        "{}; book: 10 runs, ± is the standard deviation. {} Specimens that are taken are gone; after \
+         28 there are none, so the number saturates. {}.",
         sample(&options.seeds),
+        bands(trials),
         options.world.words(),
     );
     let title = "Captures of 28 at different stages of learning (Fig 6.3)";
@@ -141,9 +146,10 @@ fn approaches(options: &ForageOptions, trials: &[Trial]) -> Result<Picture, Figu
         let note = match taken.len() {
             0 => "taken in no seed".to_owned(),
             some => format!(
-                "{:.0} actions, {:.0} of them turns, in the median of {some} seeds that take it",
+                "{:.0} actions, {:.0} of them turns: median of the {some} of {} seeds that take it",
                 of(Approach::actions),
-                of(Approach::turns)
+                of(Approach::turns),
+                trials.len()
             ),
         };
         Panel {
