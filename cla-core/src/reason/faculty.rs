@@ -11,6 +11,10 @@ use crate::word::{ActionId, ItemSet, ItemStates, SchemaText, SignedItems};
 const DISCOUNT: f32 = 0.95;
 /// How much the newest action makes of what is said of promises.
 const KEEPING: f32 = 0.01;
+/// The number of no state.
+const NOWHERE: u16 = u16::MAX;
+/// Units that room with one state takes.
+const ROOM: u32 = 8;
 /// Units that one state's update takes.
 const SWEEP: u32 = 6;
 
@@ -168,7 +172,7 @@ impl<
     /// The number of imagined states.
     #[must_use]
     pub const fn imagined(&self) -> u16 {
-        self.imagined.len()
+        self.imagined.count()
     }
 
     /// Whether values and the distance of the goal have gone as far as they go, for the time being.
@@ -220,37 +224,33 @@ impl<
         let to = self.believe(after, &foreseen);
         let exact = self.noise(action) <= 0.0;
         let worth = bounded(reward);
-        let here = self.arrive(&from);
         let there = self.arrive(&to);
-        // Room may have been made for the second.
-        let here = self.imagined.find(&from).unwrap_or(here);
+        let here = self.arrive(&from);
         self.imagined.feel(there, worth);
-        if let Some(kept) = self.imagined.kept(here, action.0 as u8, there) {
-            let kept = if kept { 1.0 } else { 0.0 };
-            self.kept += KEEPING * (kept - self.kept);
+        if here != NOWHERE && there != NOWHERE {
+            if let Some(kept) = self.imagined.kept(here, action.0 as u8, there) {
+                let kept = if kept { 1.0 } else { 0.0 };
+                self.kept += KEEPING * (kept - self.kept);
+            }
+            let changed = self.imagined.live(here, action.0 as u8, there, exact);
+            let goal = self.aim.goal();
+            let news = self.imagined.sweep(here, goal, DISCOUNT);
+            self.moving |= changed || news;
         }
-        let changed = self.imagined.live(here, action.0 as u8, there, exact);
-        let goal = self.aim.goal();
-        let news = self.imagined.sweep(here, goal, DISCOUNT);
-        self.moving |= changed || news;
         self.believed = to;
         self.here = there;
         self.aim.count(after);
     }
 
-    /// The node of a state that is perceived.
+    /// The node of a state that is perceived; none while room is made for it.
     fn arrive(&mut self, on: &ItemSet<WORDS>) -> u16 {
-        let imagined = self.imagined.len();
-        let at = self.imagined.visit(on, self.worth_of(on));
-        if at >= imagined {
+        let count = self.imagined.count();
+        let at = self
+            .imagined
+            .visit(on, self.worth_of(on))
+            .unwrap_or(NOWHERE);
+        if self.imagined.count() > count {
             self.front = (at, 0);
-        }
-        if self.imagined.len() < imagined {
-            self.front = (at, 0);
-            // Room was made: states have other places, and links are to be predicted again.
-            self.stale = true;
-            self.next = (0, 0);
-            self.sweep = 0;
         }
         at
     }
@@ -323,6 +323,7 @@ impl<
     pub fn pending(&self) -> bool {
         self.known.pending()
             || self.stale
+            || self.imagined.makes_room()
             || self.fresher
             || self.moving
             || self.moved
@@ -332,6 +333,9 @@ impl<
     /// What each action leads to here, if nobody knows; the units that it took.
     fn look_around(&mut self) -> u32 {
         let mut units = 0;
+        if self.imagined.makes_room() {
+            return 0;
+        }
         for action in 0..ACTIONS as u8 {
             if self.imagined.is_open(self.here, action) {
                 units += self.foresee(self.here, action);
@@ -357,6 +361,18 @@ impl<
 
     /// A part of the work on imagined states; 0 units when there is none.
     fn imagine(&mut self) -> u32 {
+        if self.imagined.makes_room() {
+            if self.imagined.make_room() {
+                // What was imagined is imagined anew, as far as it still can be.
+                self.stale = true;
+                self.moving = true;
+                self.next = (0, 0);
+                let believed = self.believed;
+                self.here = self.arrive(&believed);
+                self.front = (self.here, 0);
+            }
+            return ROOM;
+        }
         let foreseen = self.predict_next();
         let mut units = foreseen;
         let swept = if foreseen == 0 { SWEEP } else { foreseen };

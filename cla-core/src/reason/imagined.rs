@@ -4,7 +4,8 @@
 //! worth and how far a goal is goes back along its links, some nodes a tick.
 //! So a plan is never searched for anew: whoever stands in a state reads its best action there
 //! (book, 5.1.1; in the field: value iteration on a learned model, as in Dyna).
-//! A full graph forgets what was only imagined, and begins anew when that is not enough.
+//! A full graph forgets, some states a tick, what was only imagined, and begins anew when that is not
+//! enough.
 
 use crate::word::{ItemSet, SignedItems};
 
@@ -19,6 +20,20 @@ const FARTHEST: u8 = 100;
 const VISITED: u8 = 1;
 /// What arriving here brings was felt.
 const FELT: u8 = 2;
+/// It was given up, and its place waits for another.
+const FREE: u8 = 4;
+
+/// How room is made for states that were perceived: what was only imagined leaves, a part at a time.
+#[repr(u8)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Room {
+    /// There is some, or nobody asked.
+    Enough,
+    /// Links to what leaves are cut.
+    Cutting,
+    /// Places are given back.
+    Clearing,
+}
 
 /// One state.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +59,10 @@ impl<const WORDS: usize, const ACTIONS: usize> Node<WORDS, ACTIONS> {
     const fn was_visited(&self) -> bool {
         self.marks & VISITED != 0
     }
+
+    const fn is_free(&self) -> bool {
+        self.marks & FREE != 0
+    }
 }
 
 /// A graph of at most `NODES` states.
@@ -58,6 +77,12 @@ pub(super) struct Imagined<
     /// For each hash its first node, and one more.
     buckets: [u16; NODES],
     len: u16,
+    /// The first free place, and one more, and how many there are.
+    free: u16,
+    vacant: u16,
+    room: Room,
+    /// The next state to make room with.
+    at: u16,
     /// For each item, the items that were on together with it.
     together: [ItemSet<WORDS>; ITEMS],
 }
@@ -65,6 +90,9 @@ pub(super) struct Imagined<
 impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: usize>
     Imagined<WORDS, ITEMS, ACTIONS, NODES>
 {
+    /// Places that are kept for what is perceived; when half of them is taken room is made.
+    const RESERVE: usize = NODES / 16;
+
     pub(super) const fn new() -> Self {
         const {
             assert!(ITEMS <= WORDS * 32, "an item needs a bit: 32 for each word");
@@ -88,6 +116,10 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             }; NODES],
             buckets: [0; NODES],
             len: 0,
+            free: 0,
+            vacant: 0,
+            room: Room::Enough,
+            at: 0,
             together: [ItemSet::EMPTY; ITEMS],
         }
     }
@@ -99,11 +131,20 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
 
     fn forget(&mut self) {
         self.len = 0;
+        self.free = 0;
+        self.vacant = 0;
+        self.room = Room::Enough;
         self.buckets = [0; NODES];
     }
 
+    /// Places that were ever taken: every state's number is below.
     pub(super) const fn len(&self) -> u16 {
         self.len
+    }
+
+    /// How many states there are.
+    pub(super) const fn count(&self) -> u16 {
+        self.len - self.vacant
     }
 
     fn node(&self, at: u16) -> Option<&Node<WORDS, ACTIONS>> {
@@ -150,9 +191,15 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         if let Some(at) = self.find(on) {
             return Some(at);
         }
-        let at = self.len;
+        let at = self.free.checked_sub(1).unwrap_or(self.len);
         let bucket = self.buckets.get_mut(Self::bucket(on))?;
         let node = self.nodes.get_mut(usize::from(at))?;
+        if self.free > 0 {
+            self.free = node.next;
+            self.vacant -= 1;
+        } else {
+            self.len += 1;
+        }
         *node = Node {
             on: *on,
             links: [0; ACTIONS],
@@ -165,28 +212,112 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             marks: 0,
         };
         *bucket = at + 1;
-        self.len += 1;
         Some(at)
     }
 
     /// The node of a state that is perceived, worth so much as far as anybody can tell.
     ///
-    /// A full graph makes room.
-    pub(super) fn visit(&mut self, on: &ItemSet<WORDS>, worth: f32) -> u16 {
+    /// `None` while a full graph makes room.
+    pub(super) fn visit(&mut self, on: &ItemSet<WORDS>, worth: f32) -> Option<u16> {
         for item in on.iter() {
             if let Some(row) = self.together.get_mut(usize::from(item.0)) {
                 *row = row.union(on);
             }
         }
-        let at = self.intern(on, worth).or_else(|| {
-            self.make_room();
-            self.intern(on, worth)
-        });
-        let at = at.unwrap_or(0);
-        if let Some(node) = self.node_mut(at) {
+        let at = self.intern(on, worth);
+        if let Some(node) = at.and_then(|at| self.node_mut(at)) {
             node.marks |= VISITED;
         }
+        let scarce = usize::from(self.count()) + Self::RESERVE / 2 >= NODES;
+        if self.room == Room::Enough && (at.is_none() || scarce && Self::RESERVE > 0) {
+            self.room = Room::Cutting;
+            self.at = 0;
+        }
         at
+    }
+
+    /// Whether room is being made: nothing is imagined meanwhile.
+    pub(super) fn makes_room(&self) -> bool {
+        self.room != Room::Enough
+    }
+
+    /// Makes room with one state more; answers whether that was the last.
+    ///
+    /// States that were perceived stay, unless they alone fill the graph: then it begins anew.
+    pub(super) fn make_room(&mut self) -> bool {
+        let at = self.at;
+        self.at += 1;
+        match self.room {
+            Room::Enough => return false,
+            Room::Cutting if at >= self.len => {
+                self.room = Room::Clearing;
+                self.at = 0;
+            }
+            Room::Cutting => self.cut(at),
+            Room::Clearing if at >= self.len => {
+                self.room = Room::Enough;
+                if usize::from(self.count()) >= NODES {
+                    self.forget();
+                }
+                return true;
+            }
+            // From the end, so that the first places are taken first.
+            Room::Clearing => self.clear_place(self.len - 1 - at),
+        }
+        false
+    }
+
+    /// Cuts the links of a state to what was only imagined.
+    fn cut(&mut self, at: u16) {
+        let Some(mut links) = self.node(at).map(|node| node.links) else {
+            return;
+        };
+        for link in &mut links {
+            let to = link.checked_sub(1).and_then(|to| self.node(to));
+            if !to.is_some_and(Node::was_visited) {
+                *link = 0;
+            }
+        }
+        if let Some(node) = self.node_mut(at) {
+            node.links = links;
+        }
+    }
+
+    /// Gives back the place of a state that was only imagined.
+    fn clear_place(&mut self, at: u16) {
+        let Some(node) = self.node(at) else { return };
+        if node.was_visited() || node.is_free() {
+            return;
+        }
+        let (bucket, next) = (Self::bucket(&node.on), node.next);
+        let first = self.buckets.get(bucket).copied().unwrap_or(0);
+        if first == at + 1 {
+            if let Some(bucket) = self.buckets.get_mut(bucket) {
+                *bucket = next;
+            }
+        } else {
+            let mut before = first;
+            // A chain has at most as many nodes as there are.
+            for _ in 0..NODES {
+                let here = before.saturating_sub(1);
+                let Some(node) = self.node_mut(here) else {
+                    break;
+                };
+                if node.next == at + 1 {
+                    node.next = next;
+                    break;
+                }
+                before = node.next;
+            }
+        }
+        let free = self.free;
+        if let Some(node) = self.node_mut(at) {
+            node.links = [0; ACTIONS];
+            node.marks = FREE;
+            node.next = free;
+        }
+        self.free = at + 1;
+        self.vacant += 1;
     }
 
     /// What arriving in a state has brought.
@@ -196,68 +327,6 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             node.worth += share * (worth - node.worth);
             node.marks |= FELT;
         }
-    }
-
-    /// Keeps the states that were perceived, or none when those alone fill it.
-    fn make_room(&mut self) {
-        let mut kept = 0;
-        for at in 0..self.len {
-            if let Some(node) = self.node_mut(at)
-                && node.was_visited()
-            {
-                kept += 1;
-                // Where it goes, and one more.
-                node.next = kept;
-            }
-        }
-        if usize::from(kept) >= NODES {
-            self.forget();
-            return;
-        }
-        for at in 0..self.len {
-            let Some(mut node) = self.node(at).copied() else {
-                continue;
-            };
-            for (action, link) in node.links.iter_mut().enumerate() {
-                let target = link.checked_sub(1).and_then(|to| self.moved(to));
-                match target {
-                    Some(to) => *link = to,
-                    None => {
-                        *link = 0;
-                        node.lived &= !(1 << action);
-                    }
-                }
-            }
-            if let Some(node_mut) = self.node_mut(at) {
-                *node_mut = node;
-            }
-        }
-        self.buckets = [0; NODES];
-        let all = self.len;
-        self.len = kept;
-        for at in 0..all {
-            let Some(mut node) = self.nodes.get(usize::from(at)).copied() else {
-                continue;
-            };
-            if !node.was_visited() {
-                continue;
-            }
-            let to = node.next;
-            if let Some(bucket) = self.buckets.get_mut(Self::bucket(&node.on)) {
-                node.next = *bucket;
-                *bucket = to;
-            }
-            let place = self.nodes.get_mut(usize::from(to.saturating_sub(1)));
-            if let Some(place) = place {
-                *place = node;
-            }
-        }
-    }
-
-    /// While room is made: where a node that is kept goes, and one more.
-    fn moved(&self, at: u16) -> Option<u16> {
-        let node = self.node(at)?;
-        node.was_visited().then_some(node.next)
     }
 
     /// Whether all items of a state were seen together, two by two.
@@ -270,8 +339,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
 
     /// Whether nobody knows yet what an action does in a state.
     pub(super) fn is_open(&self, at: u16, action: u8) -> bool {
-        let link = self.link(at, action);
-        link == Some(0)
+        self.node(at).is_some_and(|node| !node.is_free()) && self.link(at, action) == Some(0)
     }
 
     fn link(&self, at: u16, action: u8) -> Option<u16> {
@@ -299,6 +367,10 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
     /// The states that were lived through: an action led from one to the other. Where it does not
     /// always do the same, what was predicted is given up only after the second time.
     pub(super) fn live(&mut self, from: u16, action: u8, to: u16, exact: bool) -> bool {
+        let perceived = |at: u16| self.node(at).is_some_and(Node::was_visited);
+        if !perceived(from) || !perceived(to) {
+            return false;
+        }
         let bit = 1_u32 << (action & 31);
         let same = self.link(from, action) == Some(to + 1);
         let Some(node) = self.node_mut(from) else {
@@ -333,11 +405,14 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         on: &ItemSet<WORDS>,
         worth: f32,
     ) -> bool {
-        if self.was_lived(from, action) {
+        let gone = self.node(from).is_none_or(Node::is_free);
+        if gone || self.makes_room() || self.was_lived(from, action) {
             return false;
         }
         let to = if self.on(from) == Some(on) {
             Some(from)
+        } else if usize::from(self.count()) + Self::RESERVE >= NODES {
+            self.find(on)
         } else if self.plausible(on) {
             self.intern(on, worth)
         } else {
@@ -353,7 +428,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         goal: Option<&SignedItems<WORDS>>,
         discount: f32,
     ) -> bool {
-        let Some(node) = self.node(at) else {
+        let Some(node) = self.node(at).filter(|node| !node.is_free()) else {
             return false;
         };
         let mut value: Option<f32> = None;

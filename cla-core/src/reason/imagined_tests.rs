@@ -20,7 +20,7 @@ fn goal(at: u16) -> SignedItems<1> {
 fn row<const NODES: usize>(places: u16) -> Imagined<1, 32, 2, NODES> {
     let mut row = Imagined::new();
     for at in 0..places {
-        let here = row.visit(&place(at), 0.0);
+        let here = row.visit(&place(at), 0.0).unwrap();
         row.feel(here, f32::from(u8::from(at == places - 1)));
     }
     for at in 0..places {
@@ -101,7 +101,7 @@ fn what_was_lived_through_is_not_imagined_otherwise() {
 fn items_never_seen_together_make_no_state() {
     let mut row = row::<8>(3);
     let len = row.len();
-    let start = row.visit(&place(9), 0.0);
+    let start = row.visit(&place(9), 0.0).unwrap();
     assert!(row.is_open(start, 0));
     assert!(row.foresee(start, 0, &place(1).union(&place(2)), 0.0));
     assert!(!row.is_open(start, 0));
@@ -115,24 +115,45 @@ fn a_full_graph_keeps_what_was_perceived() {
     // Seen elsewhere, so that they may be imagined.
     for at in 10..13 {
         row.together[usize::from(at)] = place(at);
-        assert!(row.foresee(row.find(&place(0)).unwrap(), 0, &place(at), 1.0) || at > 0);
+        let start = row.visit(&place(0), 0.0).unwrap();
         row.intern(&place(at), 1.0);
+        if at == 10 {
+            row.set_link(start, 1, row.find(&place(10)).unwrap() + 1);
+        }
     }
-    assert_eq!(row.len(), 8);
-    let new = row.visit(&place(20), 0.0);
-    assert_eq!((row.len(), new), (6, 5));
-    assert_eq!(row.find(&place(11)), None);
+    assert_eq!((row.count(), row.makes_room()), (8, false));
+    assert_eq!(row.visit(&place(20), 0.0), None);
+    assert!(row.makes_room());
+    // Meanwhile nothing is imagined, and what is perceived is found and stays.
+    assert!(!row.foresee(0, 1, &place(11), 0.0));
+    row.visit(&place(12), 0.0).unwrap();
+    make_room(&mut row);
+    assert_eq!((row.count(), row.find(&place(11))), (6, None));
+    assert!(row.find(&place(12)).is_some());
+    assert!(row.is_open(row.find(&place(0)).unwrap(), 1));
+    for at in [20, 21] {
+        assert!(row.visit(&place(at), 0.0).is_some());
+    }
+    assert_eq!(row.count(), 8);
     settle(&mut row, Some(&goal(4)));
     for at in 0..4 {
         let here = row.find(&place(at)).unwrap();
         assert_eq!(row.distances(here)[0], (3 - at) as u8);
     }
     // When all was perceived it begins anew.
-    for at in 21..24 {
-        row.visit(&place(at), 0.0);
+    assert_eq!(row.visit(&place(22), 0.0), None);
+    make_room(&mut row);
+    assert_eq!(row.count(), 0);
+    assert_eq!(row.visit(&place(22), 0.0), Some(0));
+}
+
+fn make_room<const NODES: usize>(row: &mut Imagined<1, 32, 2, NODES>) {
+    for _ in 0..3 * NODES {
+        if row.make_room() {
+            return;
+        }
     }
-    assert_eq!(row.len(), 1);
-    assert_eq!(row.find(&place(23)), Some(0));
+    panic!("it never ends");
 }
 
 #[test]
@@ -148,10 +169,17 @@ fn whatever_is_asked_of_it_nothing_breaks() {
             }
         }
         let (at, action) = (rng.below(10) as u16, rng.below(4) as u8);
-        match rng.below(4) {
+        match rng.below(5) {
+            4 => {
+                graph.make_room();
+            }
             0 => {
                 let here = graph.visit(&set, rng.unit());
-                assert_eq!(graph.find(&set), Some(here));
+                assert_eq!(graph.find(&set), here);
+                assert_eq!(
+                    here.is_none(),
+                    graph.makes_room() && graph.find(&set).is_none()
+                );
             }
             1 => {
                 graph.foresee(at, action, &set, 0.5);
@@ -165,8 +193,15 @@ fn whatever_is_asked_of_it_nothing_breaks() {
             }
         }
         for at in 0..graph.len() {
+            if graph.node(at).unwrap().is_free() {
+                continue;
+            }
             let on = *graph.on(at).unwrap();
             assert_eq!(graph.find(&on), Some(at));
+            for link in graph.node(at).unwrap().links {
+                let to = link.checked_sub(1).and_then(|to| graph.node(to));
+                assert!(link == 0 || link == super::REFUSED || to.is_some_and(|to| !to.is_free()));
+            }
             assert!(
                 graph
                     .values(at, 0.9)
