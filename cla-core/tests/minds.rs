@@ -67,7 +67,7 @@ fn load(mind: &mut Small, image: &[u8]) -> Result<u32, LoadError<snapshot::Sourc
 fn born(seed: u64) -> (Box<Small>, Corridor) {
     let mut mind = Box::new(Small::new());
     let values = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
-    mind.begin(MindConfig::DEFAULT, values, seed).unwrap();
+    mind.be_born(MindConfig::DEFAULT, values, seed).unwrap();
     let corridor = Corridor {
         rng: Rng::new(seed + 10),
         place: 0,

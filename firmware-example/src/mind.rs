@@ -27,7 +27,7 @@ pub fn relive(
     mut tick: impl FnMut(Part),
 ) -> Result<Fingerprint, MindError> {
     let mut print = Fingerprint::new();
-    mind.begin(MindConfig::DEFAULT, VALUES, trace::SEED)?;
+    mind.be_born(MindConfig::DEFAULT, VALUES, trace::SEED)?;
     for step in trace::steps(actions) {
         if !step.reflex {
             tick(Part::Sensed);

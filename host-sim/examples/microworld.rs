@@ -47,7 +47,7 @@ fn born(seed: u64) -> Result<Box<Brain>, Failure> {
     let mut brain = Box::new(Brain::unborn());
     let mut values = [0.0; ITEM_COUNT];
     values[usize::from(item("hgr").expect("an item").0)] = GRIP;
-    brain.begin(MindConfig::DEFAULT, values, seed)?;
+    brain.be_born(MindConfig::DEFAULT, values, seed)?;
     Ok(brain)
 }
 

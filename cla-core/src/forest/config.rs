@@ -1,6 +1,6 @@
 //! Everything about the learner that is a choice, in one place; one default for all worlds.
 
-use core::fmt;
+use crate::check::{Config, ConfigError, Range};
 
 use crate::snapshot::{stored, stored_as, stored_codes};
 
@@ -52,6 +52,7 @@ pub struct Heard(u8);
 impl Heard {
     /// Those that a robot hears when it asks for nothing else.
     pub const DEFAULT: Self = Self::only(Voice::TreesAndHabits)
+        .and(Voice::Habits)
         .and(Voice::Model)
         .and(Voice::ModelAndHabits)
         .and(Voice::Plans);
@@ -105,6 +106,7 @@ pub enum Doubting {
 /// How a [`Mind`](super::Mind) learns and chooses.
 ///
 /// ```
+/// use cla_core::check::Config;
 /// use cla_core::forest::MindConfig;
 /// let config = MindConfig { exploring: 0.2, ..MindConfig::DEFAULT };
 /// assert!(config.check().is_ok());
@@ -125,6 +127,14 @@ pub struct MindConfig {
     pub habit_lambda: f32,
     /// The share of a surprise that habits learn, in `[0, 1]`.
     pub habit_rate: f32,
+    /// Remembered samples from which habits learn again after every action, 0 for none.
+    pub replayed: u16,
+    /// The share of a surprise that they learn then, in `[0, 1]`.
+    pub replay_rate: f32,
+    /// The same in a doubt, in `[0, 1]`.
+    pub replay_rate_doubting: f32,
+    /// The share of what habits hold things to be worth that a doubt keeps, in `[0, 1]`.
+    pub kept_doubting: f32,
     /// Actions for which one voice leads, at least 1.
     pub block: u16,
     /// Share of the blocks that any voice may lead while training, in `[0, 1]`.
@@ -166,71 +176,68 @@ impl MindConfig {
         exploring_acting: 0.0,
         discount: 0.95,
         lambda: 0.8,
-        habit_discount: 0.85,
+        habit_discount: 0.95,
         habit_lambda: 0.8,
         habit_rate: 0.03,
+        replayed: 16,
+        replay_rate: 0.003,
+        replay_rate_doubting: 0.01,
+        kept_doubting: 0.3,
         block: 50,
         trying: 0.2,
         trying_acting: 0.02,
         patience: 100,
         burst: 10,
-        habit_rate_doubting: 0.2,
+        habit_rate_doubting: 0.1,
         heard: Heard::DEFAULT,
-        model_discount: 0.95,
+        model_discount: 0.97,
         remembered: 100.0,
         remembered_doubting: 15.0,
         doubting: Doubting::WhenRewardsStayAway,
-        prior: 2.0,
-        felt: 0.25,
+        prior: 10.0,
+        felt: 0.1,
         spread: 300,
         work: 3000,
     };
+}
 
-    /// Whether it can work.
-    ///
-    /// # Errors
-    /// [`MindConfigError`] names what cannot.
-    pub fn check(&self) -> Result<(), MindConfigError> {
-        let share = |value: f32| (0.0..=1.0).contains(&value);
+impl Config for MindConfig {
+    fn check(&self) -> Result<(), ConfigError> {
         let shares = [
-            self.exploring,
-            self.exploring_acting,
-            self.trying,
-            self.trying_acting,
+            ("MindConfig::exploring", self.exploring),
+            ("MindConfig::exploring_acting", self.exploring_acting),
+            ("MindConfig::trying", self.trying),
+            ("MindConfig::trying_acting", self.trying_acting),
+            ("MindConfig::lambda", self.lambda),
+            ("MindConfig::habit_lambda", self.habit_lambda),
+            ("MindConfig::habit_rate", self.habit_rate),
+            ("MindConfig::habit_rate_doubting", self.habit_rate_doubting),
+            ("MindConfig::replay_rate", self.replay_rate),
+            (
+                "MindConfig::replay_rate_doubting",
+                self.replay_rate_doubting,
+            ),
+            ("MindConfig::kept_doubting", self.kept_doubting),
+            ("MindConfig::felt", self.felt),
         ];
-        if !shares.into_iter().all(share) {
-            return Err(MindConfigError::Share);
+        for (field, value) in shares {
+            Range::SHARE.check(field, value)?;
         }
-        let rates = [
-            self.lambda,
-            self.habit_lambda,
-            self.habit_rate,
-            self.habit_rate_doubting,
-            self.felt,
+        let discounts = [
+            ("MindConfig::discount", self.discount),
+            ("MindConfig::habit_discount", self.habit_discount),
+            ("MindConfig::model_discount", self.model_discount),
         ];
-        if !rates.into_iter().all(share) {
-            return Err(MindConfigError::Rate);
+        for (field, value) in discounts {
+            Range::BELOW_ONE.check(field, value)?;
         }
-        let below_one = |value: f32| (0.0..1.0).contains(&value);
-        let discounts = [self.discount, self.habit_discount, self.model_discount];
-        if !discounts.into_iter().all(below_one) {
-            return Err(MindConfigError::Discount);
-        }
-        let trials = |value: f32| value.is_finite() && value > 1.0;
-        if !trials(self.remembered)
-            || !trials(self.remembered_doubting)
-            || !self.prior.is_finite()
-            || self.prior < 0.0
-        {
-            return Err(MindConfigError::Trials);
-        }
-        if self.heard == Heard::NOBODY {
-            return Err(MindConfigError::Nobody);
-        }
-        if self.block == 0 || self.patience == 0 {
-            return Err(MindConfigError::NoActions);
-        }
-        Ok(())
+        let trials = Range::above(1.0);
+        trials.check("MindConfig::remembered", self.remembered)?;
+        trials.check("MindConfig::remembered_doubting", self.remembered_doubting)?;
+        Range::NOT_NEGATIVE.check("MindConfig::prior", self.prior)?;
+        Range::AT_LEAST_ONE.check("MindConfig::block", f32::from(self.block))?;
+        Range::AT_LEAST_ONE.check("MindConfig::patience", f32::from(self.patience))?;
+        Range::AT_LEAST_ONE.check("MindConfig::heard", f32::from(self.heard.bits()))
     }
 }
 
@@ -243,6 +250,10 @@ pub(super) const NO_CONFIG: MindConfig = MindConfig {
     habit_discount: 0.0,
     habit_lambda: 0.0,
     habit_rate: 0.0,
+    replayed: 0,
+    replay_rate: 0.0,
+    replay_rate_doubting: 0.0,
+    kept_doubting: 0.0,
     habit_rate_doubting: 0.0,
     remembered_doubting: 0.0,
     doubting: Doubting::Never,
@@ -260,39 +271,6 @@ pub(super) const NO_CONFIG: MindConfig = MindConfig {
     work: 0,
 };
 
-/// What cannot work in a [`MindConfig`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum MindConfigError {
-    /// A share is outside `[0, 1]` or NaN.
-    Share,
-    /// A λ or a rate is outside `[0, 1]` or NaN.
-    Rate,
-    /// A discount is outside `[0, 1)` or NaN.
-    Discount,
-    /// Remembered trials are not above 1, or a prior is negative, or NaN.
-    Trials,
-    /// No voice is heard.
-    Nobody,
-    /// A block or a patience of 0 actions.
-    NoActions,
-}
-
-impl fmt::Display for MindConfigError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Share => "a share of actions is outside 0 to 1",
-            Self::Rate => "a rate or λ is outside 0 to 1",
-            Self::Discount => "a discount is outside 0 to below 1",
-            Self::Trials => "more than one trial is remembered, and a prior is at least 0",
-            Self::Nobody => "no voice is heard",
-            Self::NoActions => "a block and a patience have at least one action",
-        })
-    }
-}
-
-impl core::error::Error for MindConfigError {}
-
 stored_as!(impl[] Heard);
 stored_codes!(Doubting {
     0: (Self::Never),
@@ -301,7 +279,7 @@ stored_codes!(Doubting {
 stored! {
     impl[] MindConfig {
         exploring, exploring_acting, discount, lambda, habit_discount, habit_lambda, habit_rate,
-        block, trying, trying_acting, patience, burst, habit_rate_doubting, heard, model_discount,
+        replayed, replay_rate, replay_rate_doubting, kept_doubting, block, trying, trying_acting, patience, burst, habit_rate_doubting, heard, model_discount,
         remembered, remembered_doubting, doubting, prior, felt, spread, work
     }
     sound |it, _limits| it.check().is_ok()

@@ -1,93 +1,65 @@
 //! What a configuration refuses, and that each voice is heard for itself.
 
-use super::{Heard, MindConfig, MindConfigError, Voice};
+use super::{Heard, MindConfig, Voice};
+use crate::check::Config;
 
 #[test]
 fn every_number_that_cannot_work_is_named() {
     let good = MindConfig::DEFAULT;
     assert_eq!(good.check(), Ok(()));
-    let bad = [
-        (
-            MindConfig {
-                exploring: 1.1,
-                ..good
-            },
-            MindConfigError::Share,
-        ),
-        (
-            MindConfig {
-                trying_acting: f32::NAN,
-                ..good
-            },
-            MindConfigError::Share,
-        ),
-        (
-            MindConfig {
-                lambda: -0.1,
-                ..good
-            },
-            MindConfigError::Rate,
-        ),
-        (
-            MindConfig {
-                habit_rate_doubting: 2.0,
-                ..good
-            },
-            MindConfigError::Rate,
-        ),
-        (
-            MindConfig {
-                felt: f32::NAN,
-                ..good
-            },
-            MindConfigError::Rate,
-        ),
-        (
-            MindConfig {
-                discount: 1.0,
-                ..good
-            },
-            MindConfigError::Discount,
-        ),
-        (
-            MindConfig {
-                model_discount: -0.5,
-                ..good
-            },
-            MindConfigError::Discount,
-        ),
-        (
-            MindConfig {
-                remembered: 1.0,
-                ..good
-            },
-            MindConfigError::Trials,
-        ),
-        (
-            MindConfig {
-                prior: f32::INFINITY,
-                ..good
-            },
-            MindConfigError::Trials,
-        ),
-        (MindConfig { block: 0, ..good }, MindConfigError::NoActions),
-        (
-            MindConfig {
-                patience: 0,
-                ..good
-            },
-            MindConfigError::NoActions,
-        ),
-        (
-            MindConfig {
-                heard: Heard::NOBODY,
-                ..good
-            },
-            MindConfigError::Nobody,
-        ),
+    let bad = |change: fn(&mut MindConfig)| {
+        let mut config = good;
+        change(&mut config);
+        config.check().unwrap_err().field
+    };
+    let fields = [
+        bad(|it| it.exploring = 1.1),
+        bad(|it| it.exploring_acting = -0.1),
+        bad(|it| it.trying = 2.0),
+        bad(|it| it.trying_acting = f32::NAN),
+        bad(|it| it.lambda = -0.1),
+        bad(|it| it.habit_lambda = 1.1),
+        bad(|it| it.habit_rate = f32::INFINITY),
+        bad(|it| it.habit_rate_doubting = 2.0),
+        bad(|it| it.replay_rate = -1.0),
+        bad(|it| it.replay_rate_doubting = f32::NAN),
+        bad(|it| it.kept_doubting = 1.5),
+        bad(|it| it.felt = f32::NAN),
+        bad(|it| it.discount = 1.0),
+        bad(|it| it.habit_discount = -0.5),
+        bad(|it| it.model_discount = 1.0),
+        bad(|it| it.remembered = 1.0),
+        bad(|it| it.remembered_doubting = f32::INFINITY),
+        bad(|it| it.prior = f32::INFINITY),
+        bad(|it| it.block = 0),
+        bad(|it| it.patience = 0),
+        bad(|it| it.heard = Heard::NOBODY),
     ];
-    for (config, error) in bad {
-        assert_eq!(config.check(), Err(error), "{config:?}");
+    let named = [
+        "exploring",
+        "exploring_acting",
+        "trying",
+        "trying_acting",
+        "lambda",
+        "habit_lambda",
+        "habit_rate",
+        "habit_rate_doubting",
+        "replay_rate",
+        "replay_rate_doubting",
+        "kept_doubting",
+        "felt",
+        "discount",
+        "habit_discount",
+        "model_discount",
+        "remembered",
+        "remembered_doubting",
+        "prior",
+        "block",
+        "patience",
+        "heard",
+    ];
+    for (field, name) in fields.into_iter().zip(named) {
+        assert_eq!(field.strip_prefix("MindConfig::"), Some(name));
     }
 }
 

@@ -20,7 +20,7 @@ const RELIABLE: f32 = 0.8;
 /// use cla_core::word::{ItemStates, Detail, Vocabulary};
 /// let words = Vocabulary { items: &["light", "lamp"], actions: &["stay", "go", "turn"] };
 /// let mut mind = Mind::<1, 2, 3, 16, 32, 32, 64, 256>::new();
-/// mind.begin(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
+/// mind.be_born(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
 /// assert_eq!(mind.explain(), None);
 /// let choice = mind.choose(&ItemStates::all_off(2))?;
 /// let why = mind.explain().unwrap();

@@ -63,7 +63,7 @@ fn lived<R: Reasoning<1, 7, 4> + Clone>(
     let mut mind = Box::new(Mind::unborn());
     let mut values = [0.0; 7];
     values[usize::from(OPEN.0)] = 1.0;
-    mind.begin(config, values, seed).unwrap();
+    mind.be_born(config, values, seed).unwrap();
     let (mut world, mut opened) = (Corridor::START, 0);
     for _ in 0..actions {
         let choice = mind.choose(&world.see()).unwrap();
@@ -195,7 +195,7 @@ fn without_reason_it_is_what_it_was_and_pursues_nothing() {
     let now = Corridor::START.see();
     let anything = goal(&[(KEY, true)]);
     assert_eq!(mind.pursue(anything, 3, &now), Err(MindError::Unborn));
-    mind.begin(MindConfig::DEFAULT, [0.0; 7], 1).unwrap();
+    mind.be_born(MindConfig::DEFAULT, [0.0; 7], 1).unwrap();
     assert_eq!(mind.pursue(anything, 3, &now), Err(MindError::NoReason));
     assert_eq!(
         (mind.pursuit(), mind.way(&now)),

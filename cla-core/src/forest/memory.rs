@@ -178,6 +178,24 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
         age < self.recent
     }
 
+    /// How many of the newest are of the world as it is.
+    pub(super) fn recent(&self) -> u16 {
+        self.recent.min(self.len)
+    }
+
+    /// So many samples before the newest, when there are as many.
+    pub(super) fn back_by(&self, samples: u16) -> Option<u16> {
+        let newest = self.newest()?;
+        if samples >= self.len {
+            return None;
+        }
+        Some(if newest >= samples {
+            newest - samples
+        } else {
+            newest + self.len - samples
+        })
+    }
+
     const fn back(&self, at: u16) -> u16 {
         if at == 0 {
             self.len.saturating_sub(1)

@@ -9,11 +9,13 @@ use super::doubt::Doubt;
 use super::memory::Sample;
 use super::model::{Model, ModelRates, State};
 use super::moment::{Moment, NO_ACTION};
+use super::replay::{drawn, replay};
 use super::runs::Runs;
-use super::sarsa::{Rates, Sarsa, Scene, number, row};
+use super::sarsa::{Rates, Replaying, Sarsa, Scene, number, step_of};
 use super::step::{Actions, Deliberation, MindError, Motive, Taught, check_reward};
 use super::trees::{Forest, Horizon};
 use super::voices::Voices;
+use crate::check::Config;
 use crate::num::Rng;
 use crate::reason::Reasoning;
 use crate::snapshot::stored_codes;
@@ -27,6 +29,9 @@ const CROWDED: f32 = 0.5;
 
 /// Random actions that follow each other where there is a reason: plans undo a single one at once.
 const STROLL: u16 = 20;
+
+/// Values that fade in the time of a unit.
+const FADED_AT_ONCE: u32 = 6;
 
 /// Values closer than this are the same.
 const CLOSE: f32 = 1.0e-6;
@@ -58,7 +63,7 @@ stored_codes!(Age {
 /// // Two items (a light is on, at the lamp) and two actions (stay, go): going when there is light
 /// // leads to the lamp.
 /// let mut mind = Box::new(Mind::<1, 2, 2, 32, 16, 32, 64, 256>::new());
-/// mind.begin(MindConfig::DEFAULT, [0.0, 1.0], 1)?;
+/// mind.be_born(MindConfig::DEFAULT, [0.0, 1.0], 1)?;
 /// let light = |on: bool| {
 ///     let mut now = ItemStates::all_off(2);
 ///     now.set(ItemId(0), Some(on)).map(|()| now)
@@ -175,12 +180,12 @@ impl<
         }
     }
 
-    /// Begins a life: `values` says what it is worth when an item is on after an action, negative
+    /// A life begins: `values` says what it is worth when an item is on after an action, negative
     /// for harm; `seed` decides everything that is left to chance.
     ///
     /// # Errors
     /// When the configuration cannot work or a value is no number; the mind is as it was.
-    pub fn begin(
+    pub fn be_born(
         &mut self,
         config: MindConfig,
         values: [f32; ITEMS],
@@ -379,20 +384,10 @@ impl<
     }
 
     fn scene(&self, now: &ItemStates<WORDS>) -> (Scene<WORDS>, State) {
-        let mask = self.forest.mask();
-        let on = now.on().intersection(mask);
-        let before = if self.last == NO_ACTION {
-            ItemSet::EMPTY
-        } else {
-            self.before.on().intersection(mask)
-        };
-        let step = number(&before, self.last, &on);
-        let scene = Scene {
-            row: row(step, ROWS as u16),
-            owner: step as u16,
-            on,
-        };
-        let percept = number(&ItemSet::<WORDS>::EMPTY, 254, &on);
+        let (mask, moment) = (self.forest.mask(), self.moment(now));
+        let scene = Scene::of(&moment, mask, ROWS as u16);
+        let step = step_of(&moment, mask);
+        let percept = number(&ItemSet::<WORDS>::EMPTY, 254, &scene.on);
         (scene, State { step, percept })
     }
 
@@ -442,17 +437,21 @@ impl<
         }
         self.runs.count(now);
         self.notice(reward);
+        let mut budget = WorkBudget::of(self.config.work);
         if self.config.doubting == Doubting::WhenRewardsStayAway && self.doubt.notice(reward > 0.0)
         {
             self.forest.doubt();
+            self.habits.fade(self.config.kept_doubting);
+            budget.spend((ROWS * ACTIONS) as u32 / FADED_AT_ONCE);
         }
         let after = self.runs.believed(now);
         self.reason
             .observe(&seen, ActionId(action.into()), &after, reward);
         self.take_in(&seen, action, reward, false);
+        budget.spend(self.replay());
         Ok(Taught {
             reward,
-            refocused: self.idle(self.config.work),
+            refocused: self.idle(budget.left()),
         })
     }
 
@@ -476,9 +475,11 @@ impl<
         let then = self.runs.believed(after);
         self.reason.observe(&seen, action, &then, reward);
         self.take_in(&seen, action.0 as u8, reward, true);
+        let mut budget = WorkBudget::of(self.config.work);
+        budget.spend(self.replay());
         Ok(Taught {
             reward,
-            refocused: self.idle(self.config.work),
+            refocused: self.idle(budget.left()),
         })
     }
 
@@ -527,6 +528,31 @@ impl<
     #[must_use]
     pub fn pending(&self) -> bool {
         self.age != Age::Unborn && (self.forest.is_pending() || self.reason.pending())
+    }
+
+    /// Habits learn again from a stretch of the memory; answers the units.
+    fn replay(&mut self) -> u32 {
+        let how = Replaying {
+            rate: if self.doubt.lasts() {
+                self.config.replay_rate_doubting
+            } else {
+                self.config.replay_rate
+            },
+            discount: self.config.habit_discount,
+            lambda: self.config.habit_lambda,
+        };
+        let (memory, mask) = (self.forest.memory(), self.forest.mask());
+        match drawn(memory, &mut self.rng) {
+            Some(at) => replay(
+                &mut self.habits,
+                memory,
+                mask,
+                at,
+                self.config.replayed,
+                &how,
+            ),
+            None => 0,
+        }
     }
 
     fn rates(&self) -> Rates {

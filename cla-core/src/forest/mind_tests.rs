@@ -13,7 +13,7 @@ fn born(values: &[(u16, f32)], seed: u64) -> std::boxed::Box<Small> {
         all[usize::from(item)] = value;
     }
     let mut mind = std::boxed::Box::new(Small::new());
-    mind.begin(MindConfig::DEFAULT, all, seed).unwrap();
+    mind.be_born(MindConfig::DEFAULT, all, seed).unwrap();
     mind
 }
 
@@ -126,7 +126,7 @@ fn nothing_is_learned_across_an_interruption() {
             ..MindConfig::DEFAULT
         };
         let mut mind = born(&[(5, 10.0)], 8);
-        mind.begin(trees, [0.0, 0.0, 0.0, 0.0, 0.0, 10.0, 0.0, 0.0], 8)
+        mind.be_born(trees, [0.0, 0.0, 0.0, 0.0, 0.0, 10.0, 0.0, 0.0], 8)
             .unwrap();
         for _ in 0..300 {
             mind.choose(&at(1)).unwrap();
@@ -199,7 +199,7 @@ fn what_cannot_be_is_refused_and_teaches_nothing() {
     let mut values = [0.0; 8];
     values[0] = f32::NAN;
     assert_eq!(
-        mind.begin(MindConfig::DEFAULT, values, 1),
+        mind.be_born(MindConfig::DEFAULT, values, 1),
         Err(MindError::Reward)
     );
     let mut mind = born(&[], 1);
@@ -234,7 +234,7 @@ fn work_is_pending_while_trees_grow_and_idle_time_ends_it() {
         work: 10,
         ..MindConfig::DEFAULT
     };
-    mind.begin(slow, [0.0; 8], 1).unwrap();
+    mind.be_born(slow, [0.0; 8], 1).unwrap();
     for place in 0..200 {
         mind.choose(&at(place % 5)).unwrap();
         mind.learn_with(&at(0), f32::from(place % 3)).unwrap();

@@ -4,7 +4,8 @@
 //! What happened goes into a bounded memory of samples (`memory`); from it context trees grow, a few
 //! units of work a tick (`budget`, `tally`, `growth`, `tree`, `trees`), which also say which items
 //! matter (`relevance`).
-//! Habits learn at once from what was felt (`sarsa`), a model counts what follows what (`model`).
+//! Habits learn at once from what was felt (`sarsa`) and again from what is remembered (`replay`); a
+//! model counts what follows what (`model`).
 //! Voices lead in turn (`voices`); senses that got stuck are not believed (`runs`); when rewards stay
 //! away new experience counts for more (`doubt`); the whole is a [`Mind`] (`config`, `mind`).
 //! Where it has a reason, schemas with results and plans are a voice among the others, goals are pursued,
@@ -23,6 +24,7 @@ mod mind;
 mod model;
 mod moment;
 mod relevance;
+mod replay;
 mod runs;
 mod sarsa;
 mod step;
@@ -33,7 +35,7 @@ mod unborn;
 mod voices;
 
 pub use budget::WorkBudget;
-pub use config::{Doubting, Heard, MindConfig, MindConfigError, Voice};
+pub use config::{Doubting, Heard, MindConfig, Voice};
 pub use goals::Explanation;
 pub use mind::Mind;
 pub use moment::Feature;

@@ -7,6 +7,7 @@
 //! table needs no keys and is never full.
 
 use super::growth::mix;
+use super::moment::{Moment, NO_ACTION};
 use crate::snapshot::stored;
 use crate::word::ItemSet;
 
@@ -23,6 +24,14 @@ pub(super) struct Rates {
     pub(super) replacing: bool,
 }
 
+/// How habits learn from what was lived before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Replaying {
+    pub(super) rate: f32,
+    pub(super) discount: f32,
+    pub(super) lambda: f32,
+}
+
 /// Where something was done, as habits see it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scene<const WORDS: usize> {
@@ -31,6 +40,28 @@ pub(super) struct Scene<const WORDS: usize> {
     /// The last step: its row, and a number that tells it from most others in the same row.
     pub(super) row: u16,
     pub(super) owner: u16,
+}
+
+impl<const WORDS: usize> Scene<WORDS> {
+    /// A moment as habits with so many rows see it, through the mask.
+    pub(super) fn of(moment: &Moment<WORDS>, mask: &ItemSet<WORDS>, rows: u16) -> Self {
+        let step = step_of(moment, mask);
+        Self {
+            on: moment.now.on().intersection(mask),
+            row: row(step, rows),
+            owner: step as u16,
+        }
+    }
+}
+
+/// The number of the step that led to a moment, seen through the mask.
+pub(super) fn step_of<const WORDS: usize>(moment: &Moment<WORDS>, mask: &ItemSet<WORDS>) -> u32 {
+    let before = if moment.action == NO_ACTION {
+        ItemSet::EMPTY
+    } else {
+        moment.before.on().intersection(mask)
+    };
+    number(&before, moment.action, &moment.now.on().intersection(mask))
 }
 
 /// The number of a step, the same for equal steps, and hardly ever for others.
@@ -47,7 +78,7 @@ pub(super) fn number<const WORDS: usize>(
 }
 
 /// The row of a step with this number.
-pub(super) fn row(number: u32, rows: u16) -> u16 {
+fn row(number: u32, rows: u16) -> u16 {
     // The high half of the product is uniform in 0..rows.
     ((u64::from(number) * u64::from(rows)) >> 32) as u16
 }
@@ -183,6 +214,53 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
         self.most = self.most.max(reward);
     }
 
+    /// What the best action in a scene is worth.
+    pub(super) fn best(&self, scene: &Scene<WORDS>, discount: f32) -> f32 {
+        let worth = self.worth(scene, discount);
+        worth.into_iter().fold(f32::MIN, f32::max)
+    }
+
+    /// Moves what an action in a scene is worth towards a target.
+    pub(super) fn approach(
+        &mut self,
+        scene: &Scene<WORDS>,
+        action: u8,
+        target: f32,
+        how: &Replaying,
+    ) {
+        let deed = Deed {
+            scene: *scene,
+            action,
+        };
+        let surprise = target - self.worth_of(&deed, how.discount);
+        let change = Self::share(how.rate, scene) * surprise;
+        if change.is_finite() {
+            let action = usize::from(action);
+            shift(Some(&mut self.always), action, change);
+            for item in scene.on.iter() {
+                shift(self.items.get_mut(usize::from(item.0)), action, change);
+            }
+            let row = self.rows.get_mut(usize::from(scene.row));
+            shift(row, action, change);
+        }
+    }
+
+    /// Keeps a share of every value: what was known is believed less.
+    pub(super) fn fade(&mut self, kept: f32) {
+        let items = self.items.iter_mut().chain(&mut self.rows);
+        for worth in items.chain(core::iter::once(&mut self.always)) {
+            for value in worth {
+                *value *= kept;
+            }
+        }
+    }
+
+    /// All features of a deed move; together no farther than to what was felt.
+    fn share(rate: f32, scene: &Scene<WORDS>) -> f32 {
+        let features = 2 + scene.on.len();
+        rate.min(1.0 / f32::from(features))
+    }
+
     /// The last deed was followed by nothing.
     pub(super) fn end(&mut self, rates: &Rates) {
         self.learn(0.0, rates);
@@ -197,10 +275,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
             return;
         }
         let surprise = self.reward + follows - self.worth_of(&before, rates.discount);
-        // All features of a deed move; together no farther than to what was felt.
-        let features = 2 + before.scene.on.len();
-        let rate = rates.rate.min(1.0 / f32::from(features));
-        let change = rate * surprise;
+        let change = Self::share(rates.rate, &before.scene) * surprise;
         if change.is_finite() {
             self.spread(change, rates.discount * rates.lambda, rates.replacing);
         }

@@ -3,7 +3,8 @@
 
 use core::fmt;
 
-use super::config::{MindConfigError, Voice};
+use super::config::Voice;
+use crate::check::ConfigError;
 use crate::snapshot::{stored, stored_codes};
 use crate::word::ActionId;
 
@@ -76,7 +77,7 @@ pub enum Motive {
 /// use cla_core::word::{ActionId, ItemStates};
 /// use cla_core::forest::{Mind, MindConfig};
 /// let mut mind = Mind::<1, 2, 3, 16, 32, 32, 64, 256>::new();
-/// mind.begin(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
+/// mind.be_born(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
 /// let choice = mind.choose(&ItemStates::all_off(2))?;
 /// assert!(choice.action < ActionId(3));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -103,10 +104,10 @@ pub struct Deliberation {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum MindError {
-    /// It has not begun; nothing was learned.
+    /// It was never born; nothing was learned.
     Unborn,
     /// The configuration cannot work; it is as it was.
-    Config(MindConfigError),
+    Config(ConfigError),
     /// A reward, or what an item is worth, is no number or beyond [`MOST_REWARD`]; nothing was
     /// learned.
     Reward,
@@ -123,7 +124,7 @@ pub enum MindError {
 impl fmt::Display for MindError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unborn => f.write_str("the mind has not begun"),
+            Self::Unborn => f.write_str("the mind was never born"),
             Self::Config(error) => error.fmt(f),
             Self::Reward => write!(
                 f,
@@ -145,7 +146,7 @@ impl core::error::Error for MindError {}
 /// use cla_core::word::ItemStates;
 /// use cla_core::forest::{Mind, MindConfig};
 /// let mut mind = Mind::<1, 2, 3, 16, 32, 32, 64, 256>::new();
-/// mind.begin(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
+/// mind.be_born(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
 /// mind.choose(&ItemStates::all_off(2))?;
 /// let taught = mind.learn_with(&ItemStates::all_off(2), -0.5)?;
 /// assert_eq!(taught.reward, -0.5);

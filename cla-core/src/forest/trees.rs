@@ -122,6 +122,10 @@ impl<
         self.fresh = self.fresh.saturating_add(1);
     }
 
+    pub(super) const fn memory(&self) -> &Memory<WORDS, STRETCHES> {
+        &self.memory
+    }
+
     pub(super) fn interrupt(&mut self) {
         self.memory.interrupt();
     }

@@ -478,10 +478,10 @@ entries! {
         it.follow(tables);
         it.losses()
     }
-    "forest_begin" (
+    "forest_be_born" (
         it: &mut Forest, config: MindConfig, values: [f32; 7], seed: u64,
     ) -> Result<(), MindError> {
-        it.begin(config, values, seed)?;
+        it.be_born(config, values, seed)?;
         it.act()
     }
     "forest_lives" (
@@ -507,7 +507,7 @@ entries! {
     "mind_reasons" (it: &mut Thinker, now: &ItemStates<3>, goal: Signed, values: [f32; 76]) -> Option<Way> {
         *it = Thinker::unborn();
         let heard = forest::Heard::DEFAULT.without(forest::Voice::Plans);
-        it.begin(MindConfig { heard, ..MindConfig::DEFAULT }, values, 1).ok()?;
+        it.be_born(MindConfig { heard, ..MindConfig::DEFAULT }, values, 1).ok()?;
         it.pursue(goal, 9, now).ok()?;
         let choice = it.choose_among(now, Actions::ALL).ok()?;
         it.learn_with(now, 1.0).and_then(|_| it.observe(now, choice.action, now)).ok()?;

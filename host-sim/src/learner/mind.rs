@@ -48,7 +48,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Minded<WORDS,
     /// When the configuration or a value cannot work.
     pub fn born(config: MindConfig, values: [f32; ITEMS], seed: u64) -> Result<Self, Failure> {
         let mut mind = Box::new(Mind::new());
-        mind.begin(config, values, seed)?;
+        mind.be_born(config, values, seed)?;
         Ok(Self {
             mind,
             last: Thought::default(),
