@@ -94,7 +94,7 @@ const STOREYS: [(&str, &[&str]); 17] = [
     // The other learner shares the words and nothing else.
     ("growth", &["check", "num", "word"]),
     ("reason", &["growth", "num", "word"]),
-    ("forest", &["num", "reason", "snapshot", "word"]),
+    ("forest", &["check", "num", "reason", "snapshot", "word"]),
     ("brain", &["agent", "check", "som", "word"]),
     ("forager", &["brain"]),
 ];

@@ -197,7 +197,7 @@ impl MindConfig {
         prior: 10.0,
         felt: 0.1,
         spread: 300,
-        work: 3000,
+        work: 2900,
     };
 }
 

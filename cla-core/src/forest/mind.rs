@@ -7,11 +7,11 @@ use super::budget::WorkBudget;
 use super::config::{Doubting, Heard, MindConfig, NO_CONFIG, Voice};
 use super::doubt::Doubt;
 use super::memory::Sample;
-use super::model::{Model, ModelRates, State};
+use super::model::{Model, State};
 use super::moment::{Moment, NO_ACTION};
 use super::replay::{drawn, replay};
 use super::runs::Runs;
-use super::sarsa::{Rates, Replaying, Sarsa, Scene, number, step_of};
+use super::sarsa::{Sarsa, Scene, number, step_of};
 use super::step::{Actions, Deliberation, MindError, Motive, Taught, check_reward};
 use super::trees::{Forest, Horizon};
 use super::voices::Voices;
@@ -492,7 +492,7 @@ impl<
         self.forest.interrupt();
         self.voices.interrupt();
         self.reason.interrupt();
-        let rates = self.rates();
+        let rates = self.config.habit_rates(self.doubt.lasts());
         self.habits.end(&rates);
         self.follow(None);
         self.last = NO_ACTION;
@@ -532,15 +532,7 @@ impl<
 
     /// Habits learn again from a stretch of the memory; answers the units.
     fn replay(&mut self) -> u32 {
-        let how = Replaying {
-            rate: if self.doubt.lasts() {
-                self.config.replay_rate_doubting
-            } else {
-                self.config.replay_rate
-            },
-            discount: self.config.habit_discount,
-            lambda: self.config.habit_lambda,
-        };
+        let how = self.config.replaying(self.doubt.lasts());
         let (memory, mask) = (self.forest.memory(), self.forest.mask());
         match drawn(memory, &mut self.rng) {
             Some(at) => replay(
@@ -555,19 +547,6 @@ impl<
         }
     }
 
-    fn rates(&self) -> Rates {
-        Rates {
-            rate: if self.doubt.lasts() {
-                self.config.habit_rate_doubting
-            } else {
-                self.config.habit_rate
-            },
-            replacing: self.doubt.lasts(),
-            discount: self.config.habit_discount,
-            lambda: self.config.habit_lambda,
-        }
-    }
-
     fn worth_of(&self, now: &ItemStates<WORDS>) -> f32 {
         let mut worth = 0.0;
         for item in now.on().iter() {
@@ -578,26 +557,13 @@ impl<
 
     /// The last deed was followed by this state, or by nothing.
     fn follow(&mut self, to: Option<State>) {
-        let rates = self.model_rates();
+        let rates = self.config.model_rates(self.doubt.lasts());
         if self.did != NO_ACTION {
             self.model
                 .learn(self.state, self.did, self.brought, to, &rates);
         }
         self.did = NO_ACTION;
         self.model.spread(self.config.spread, &rates);
-    }
-
-    fn model_rates(&self) -> ModelRates {
-        ModelRates {
-            discount: self.config.model_discount,
-            remembered: if self.doubt.lasts() {
-                self.config.remembered_doubting
-            } else {
-                self.config.remembered
-            },
-            prior: self.config.prior,
-            felt: self.config.felt,
-        }
     }
 
     /// How long rewards mostly take to come.
@@ -613,7 +579,7 @@ impl<
 
     fn take_in(&mut self, seen: &ItemStates<WORDS>, action: u8, reward: f32, watched: bool) {
         let (scene, state) = self.scene(seen);
-        let rates = self.rates();
+        let rates = self.config.habit_rates(self.doubt.lasts());
         self.habits.feel(scene, action, reward, &rates);
         self.follow(Some(state));
         self.state = state;

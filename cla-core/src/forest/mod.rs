@@ -23,6 +23,7 @@ mod memory;
 mod mind;
 mod model;
 mod moment;
+mod rates;
 mod relevance;
 mod replay;
 mod runs;
