@@ -72,16 +72,52 @@ pub mod message {
 ///
 /// Makes a module with
 /// - `Item` and `Action`, enums of the names, each with `id()`;
+/// - `percept(|item| …)`, what the sensors report, each item on, off or unknown;
 /// - `VOCABULARY`, the names for printing, and `VALUES`, what is worth having;
-/// - `Brain`, the [`Agent`](crate::agent::Agent) of these capacities;
+/// - `Brain`, the [`Mind`](crate::forest::Mind) that remembers so many `samples`, with
+///   [`Capacities`](crate::forest::Capacities) in proportion to them;
 /// - `brain()`, a `const` constructor, and `be_born(&mut Brain, config, seed)`, its birth with these
 ///   values: before it the brain refuses to choose and to learn;
 /// - `RAM`, the bytes that it costs, all of them in `.bss`.
 ///
-/// The keys may stand in any order: `items`, `actions`, `values`, `maps`, `patterns`, `schemas`,
-/// `ram`, and for a second level `synthetic` and `beliefs`.
+/// The keys may stand in any order: `items`, `actions`, `values` (negative for harm), `samples` and
+/// `ram`.
 /// A key that is missing is named, one that is unknown or stands twice is pointed at, and so is a
 /// value of something that is no item.
+///
+/// ```
+/// cla_core::brain! {
+///     /// A moth.
+///     pub mod moth {
+///         items: [light_left, light_right, at_lamp, singed],
+///         actions: [left, right, forward],
+///         values: [at_lamp = 10.0, singed = -5.0],
+///         samples: 512,
+///         ram: 24_000,
+///     }
+/// }
+/// use cla_core::MindConfig;
+/// let mut brain = moth::brain();
+/// moth::be_born(&mut brain, MindConfig::DEFAULT, 1)?;
+/// let choice = brain.choose(&moth::percept(|item| item == moth::Item::light_left))?;
+/// assert!(moth::Action::of(choice.action).is_some());
+/// # Ok::<(), cla_core::forest::MindError>(())
+/// ```
+///
+/// # The book's learner
+///
+/// With `maps`, `patterns` and `schemas` in the place of `samples`, and for a second level `synthetic`
+/// and `beliefs`, `Brain` is the [`Agent`](crate::agent::Agent) of the book: maps that become schemas.
+/// The two do not mix:
+///
+/// ```compile_fail
+/// cla_core::brain! {
+///     mod moth {
+///         ram: 24_000, items: [light], actions: [go], values: [light = 1.0],
+///         maps: 2 x 2, samples: 512,
+///     }
+/// }
+/// ```
 ///
 /// A map's weight takes four bytes, or one with `maps: 6 x 6 of bytes`, which is for parts that are
 /// small or have no floating-point unit: a numerics of its own, with the same bits everywhere.
@@ -138,7 +174,7 @@ pub mod message {
 ///
 /// ```
 /// cla_core::brain! {
-///     /// A moth.
+///     /// A moth with the book's learner.
 ///     pub mod moth {
 ///         items: [light_left, light_right, at_lamp],
 ///         actions: [left, right, forward],
@@ -164,57 +200,212 @@ macro_rules! brain {
     (@map $items:expr; $width:literal, $height:literal, bytes) => {
         $crate::som::ByteSom<$width, $height, { $items }>
     };
+    // Names and their ids, for every kind of brain.
+    (@words [$($item:ident)+] [$($action:ident)+]) => {
+        /// The primitive items, in the order of their ids.
+        #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Item { $(
+            #[doc = concat!("The item `", stringify!($item), "`.")]
+            $item
+        ),+ }
+
+        /// The primitive actions, in the order of their ids.
+        #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Action { $(
+            #[doc = concat!("The action `", stringify!($action), "`.")]
+            $action
+        ),+ }
+
+        /// The names of the items and actions.
+        pub static VOCABULARY: $crate::word::Vocabulary = $crate::word::Vocabulary {
+            items: &[$(stringify!($item)),+],
+            actions: &[$(stringify!($action)),+],
+        };
+
+        /// All items in the order of their ids.
+        pub const ITEMS: &[Item] = &[$(Item::$item),+];
+        /// All actions in the order of their ids.
+        pub const ACTIONS: &[Action] = &[$(Action::$action),+];
+
+        impl Item {
+            /// The item's id.
+            #[must_use]
+            pub const fn id(self) -> $crate::word::ItemId {
+                $crate::word::ItemId(self as u16)
+            }
+        }
+
+        impl Action {
+            /// The action's id.
+            #[must_use]
+            pub const fn id(self) -> $crate::word::ActionId {
+                $crate::word::ActionId(self as u16)
+            }
+
+            /// The action with that id; `None` for an id that is not the robot's.
+            #[must_use]
+            pub fn of(id: $crate::word::ActionId) -> Option<Self> {
+                ACTIONS.get(usize::from(id.0)).copied()
+            }
+        }
+
+        /// Words of an item set.
+        pub const WORDS: usize = ITEMS.len().div_ceil(32);
+
+        /// What the robot's sensors report.
+        pub type Percept = $crate::word::ItemStates<WORDS>;
+
+        /// What the sensors report: each item is asked for, and is on, off, or unknown (`None`).
+        #[must_use]
+        pub fn percept<S: Into<Option<bool>>>(mut sense: impl FnMut(Item) -> S) -> Percept {
+            let mut now = Percept::UNKNOWN;
+            for &item in ITEMS {
+                // An item of the robot fits its percept.
+                let _ = now.set(item.id(), sense(item).into());
+            }
+            now
+        }
+    };
+    // Its bytes, and whether they are as many as it may take.
+    (@ram $ram:expr) => {
+        /// Bytes of static memory that a brain takes.
+        pub const RAM: usize = core::mem::size_of::<Brain>();
+
+        const _: () = assert!(
+            RAM <= $ram,
+            "{}",
+            $crate::brain::message::Message::of_ram(RAM, $ram).as_str()
+        );
+    };
     // The keys one by one: each is noted as it was written and its value put in its place.
     (@keys $head:tt [$($seen:ident)*] $places:tt $key:ident: $($rest:tt)*) => {
         $crate::brain! { @key $head [$($seen)* $key] $places $key: $($rest)* }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8 $s9] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8 $s9] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8 $s9] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new}] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new} $s9] $($($rest)*)? }
     };
-    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] samples: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 {$new}] $($($rest)*)? }
+    };
+    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt]) => {
         compile_error!("brain!: a key is missing: `items: [light, at_lamp]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt]) => {
         compile_error!("brain!: a key is missing: `actions: [left, right]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt]) => {
         compile_error!("brain!: a key is missing: `values: [at_lamp = 10.0]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt]) => {
-        compile_error!("brain!: a key is missing: `maps: 6 x 6`");
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {}]) => {
+        compile_error!("brain!: a key is missing: `samples: 1_024`, or for the book's learner `maps: 6 x 6`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt {}]) => {
         compile_error!("brain!: a key is missing: `patterns: 32`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt {}]) => {
         compile_error!("brain!: a key is missing: `schemas: 128`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {}]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {} $s9:tt]) => {
         compile_error!("brain!: a key is missing: `ram: 12_000`");
+    };
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} {} {} {} {} $s8:tt {$samples:expr}]) => {
+        $crate::brain! { @mind $head $seen $s0 $s1 $s2 $s8 {$samples} }
+    };
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {$samples:expr}]) => {
+        compile_error!("brain!: `samples` is for the one learner; `maps`, `patterns`, `schemas`, `synthetic` and `beliefs` are for the book's");
+    };
+    (
+        @mind { $(#[$meta:meta])* $visibility:vis mod $name:ident } [$($seen:ident)*]
+        { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
+        { $ram:expr } { $samples:expr }
+    ) => {
+        $(#[$meta])*
+        $visibility mod $name {
+            $crate::brain! { @words [$($item)+] [$($action)+] }
+
+            /// What it is worth when an item is on after an action, negative for harm.
+            pub const VALUES: [f32; ITEMS.len()] = {
+                let mut values = [0.0; ITEMS.len()];
+                $(values[Item::$valued as usize] = $value;)+
+                values
+            };
+
+            // What stands twice is pointed at by the compiler, and so is a value that is no value.
+            const _: () = {
+                #[allow(dead_code, non_camel_case_types)]
+                enum Keys { $($seen),+ }
+                #[allow(dead_code, non_camel_case_types)]
+                enum Valued { $($valued),+ }
+                $(
+                    let value: f32 = $value;
+                    assert!(
+                        value >= -$crate::forest::MOST_REWARD && value <= $crate::forest::MOST_REWARD,
+                        concat!("the value of `", stringify!($valued), "` is not within a million")
+                    );
+                )+
+            };
+
+            const CAPACITIES: $crate::forest::Capacities =
+                $crate::forest::Capacities::of($samples, ACTIONS.len());
+
+            /// The brain.
+            pub type Brain = $crate::forest::Mind<
+                WORDS,
+                { ITEMS.len() },
+                { ACTIONS.len() },
+                { CAPACITIES.stretches },
+                { CAPACITIES.leaves },
+                { CAPACITIES.rows },
+                { CAPACITIES.states },
+                { CAPACITIES.links },
+            >;
+
+            $crate::brain! { @ram $ram }
+
+            /// A brain before its birth: all memory zero.
+            #[must_use]
+            pub const fn brain() -> Brain {
+                Brain::new()
+            }
+
+            /// A brain's birth: what is in `VALUES` is worth having, or harm, from now on.
+            ///
+            /// # Errors
+            /// `MindError` for a configuration that cannot work; the brain is as it was.
+            pub fn be_born(
+                brain: &mut Brain,
+                config: $crate::forest::MindConfig,
+                seed: u64,
+            ) -> Result<(), $crate::forest::MindError> {
+                brain.be_born(config, VALUES, seed)
+            }
+        }
     };
     (
         @keys { $(#[$meta:meta])* $visibility:vis mod $name:ident } [$($seen:ident)*]
@@ -222,59 +413,12 @@ macro_rules! brain {
             { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
             { $width:literal, $height:literal $(, $weights:ident)? }
             { $patterns:expr } { $schemas:expr } { $($synthetic:expr)? } { $($beliefs:expr)? }
-            { $ram:expr }
+            { $ram:expr } {}
         ]
     ) => {
         $(#[$meta])*
         $visibility mod $name {
-            /// The primitive items, in the order of their ids.
-            #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
-            #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-            pub enum Item { $(
-                #[doc = concat!("The item `", stringify!($item), "`.")]
-                $item
-            ),+ }
-
-            /// The primitive actions, in the order of their ids.
-            #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
-            #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-            pub enum Action { $(
-                #[doc = concat!("The action `", stringify!($action), "`.")]
-                $action
-            ),+ }
-
-            /// The names of the items and actions.
-            pub static VOCABULARY: $crate::word::Vocabulary = $crate::word::Vocabulary {
-                items: &[$(stringify!($item)),+],
-                actions: &[$(stringify!($action)),+],
-            };
-
-            /// All items in the order of their ids.
-            pub const ITEMS: &[Item] = &[$(Item::$item),+];
-            /// All actions in the order of their ids.
-            pub const ACTIONS: &[Action] = &[$(Action::$action),+];
-
-            impl Item {
-                /// The item's id.
-                #[must_use]
-                pub const fn id(self) -> $crate::word::ItemId {
-                    $crate::word::ItemId(self as u16)
-                }
-            }
-
-            impl Action {
-                /// The action's id.
-                #[must_use]
-                pub const fn id(self) -> $crate::word::ActionId {
-                    $crate::word::ActionId(self as u16)
-                }
-
-                /// The action with that id; `None` for an id that is not the robot's.
-                #[must_use]
-                pub fn of(id: $crate::word::ActionId) -> Option<Self> {
-                    ACTIONS.get(usize::from(id.0)).copied()
-                }
-            }
+            $crate::brain! { @words [$($item)+] [$($action)+] }
 
             /// What is worth having for its own sake.
             pub const VALUES: &[($crate::word::ItemId, f32)] =
@@ -295,12 +439,6 @@ macro_rules! brain {
                 )+
             };
 
-            /// Words of an item set.
-            pub const WORDS: usize = ITEMS.len().div_ceil(32);
-
-            /// What the robot's sensors report.
-            pub type Percept = $crate::word::ItemStates<WORDS>;
-
             /// The brain.
             pub type Brain = $crate::agent::Agent<
                 WORDS,
@@ -315,14 +453,7 @@ macro_rules! brain {
                 $crate::brain!(@map ITEMS.len(); $width, $height $(, $weights)?),
             >;
 
-            /// Bytes of static memory that a brain takes.
-            pub const RAM: usize = core::mem::size_of::<Brain>();
-
-            const _: () = assert!(
-                RAM <= $ram,
-                "{}",
-                $crate::brain::message::Message::of_ram(RAM, $ram).as_str()
-            );
+            $crate::brain! { @ram $ram }
 
             /// A brain before its birth: all memory zero.
             #[must_use]
@@ -348,7 +479,7 @@ macro_rules! brain {
         $visibility:vis mod $name:ident { $($keys:tt)* }
     ) => {
         $crate::brain! {
-            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {}] $($keys)*
+            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {} {}] $($keys)*
         }
     };
 }

@@ -46,3 +46,40 @@ fn the_keys_of_a_robot_may_stand_in_any_order() {
         .collect();
     assert_eq!(actions, [Some(shuffled::Action::dig), None]);
 }
+
+crate::brain! {
+    /// The one learner, with harm and in another order.
+    #[allow(dead_code, unreachable_pub)]
+    mod one {
+        samples: 100,
+        values: [hot = -2.5, gold = 1.0],
+        ram: 30_000,
+        actions: [dig, leave],
+        items: [earth, gold, hot],
+    }
+}
+
+#[test]
+fn samples_make_the_one_learner_with_capacities_in_proportion() {
+    assert_eq!(one::VALUES, [0.0, 1.0, -2.5]);
+    type Expected = crate::forest::Mind<1, 3, 2, 7, 4, 64, 64, 256>;
+    let mut brain: Expected = one::brain();
+    assert_eq!(one::RAM, size_of::<Expected>());
+    one::be_born(&mut brain, crate::MindConfig::DEFAULT, 1).unwrap();
+    let now = one::percept(|item| item == one::Item::gold);
+    let choice = brain.choose(&now).unwrap();
+    assert!(one::Action::of(choice.action).is_some());
+    assert_eq!(brain.learn(&now).unwrap().reward, 1.0);
+}
+
+#[test]
+fn a_percept_asks_for_every_item_and_unknown_must_be_said() {
+    use one::Item;
+    let now = one::percept(|item| match item {
+        Item::earth => Some(true),
+        Item::gold => Some(false),
+        Item::hot => None,
+    });
+    let states = [Item::earth, Item::gold, Item::hot].map(|item| now.get(item.id()));
+    assert_eq!(states, [Some(true), Some(false), None]);
+}

@@ -95,7 +95,7 @@ const STOREYS: [(&str, &[&str]); 17] = [
     ("growth", &["check", "num", "word"]),
     ("reason", &["growth", "num", "word"]),
     ("forest", &["check", "num", "reason", "snapshot", "word"]),
-    ("brain", &["agent", "check", "som", "word"]),
+    ("brain", &["agent", "check", "forest", "som", "word"]),
     ("forager", &["brain"]),
 ];
 

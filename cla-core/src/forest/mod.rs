@@ -13,6 +13,7 @@
 //! It stands on words, `num` and `reason`, and knows nothing of maps.
 
 mod budget;
+mod capacities;
 mod config;
 mod doubt;
 mod goals;
@@ -36,6 +37,7 @@ mod unborn;
 mod voices;
 
 pub use budget::WorkBudget;
+pub use capacities::Capacities;
 pub use config::{Doubting, Heard, MindConfig, Voice};
 pub use goals::Explanation;
 pub use mind::Mind;
