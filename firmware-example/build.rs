@@ -28,7 +28,14 @@ fn main() {
     fs::write(Path::new(&out).join("memory.x"), memory).expect("cargo's folder can be written");
     println!("cargo::rustc-link-search={out}");
     // The proof of panic-freedom is not a program: it brings its own entry and has no memory.
-    for program in ["firmware", "meter", "kernels", "controller", "mind"] {
+    for program in [
+        "firmware",
+        "meter",
+        "kernels",
+        "controller",
+        "mind",
+        "snapshot",
+    ] {
         println!("cargo::rustc-link-arg-bin={program}=-Tlink.x");
         if env::var_os("CARGO_FEATURE_DEFMT").is_some() {
             println!("cargo::rustc-link-arg-bin={program}=-Tdefmt.x");

@@ -14,6 +14,7 @@ pub mod link;
 pub mod meter;
 pub mod mind;
 pub mod replay;
+pub mod resume;
 pub mod trace;
 
 // Where the log goes, and the critical section that it needs.

@@ -3,7 +3,7 @@
 //! The book leaves this open (7.1.1); what follows an alarm is `doubt`.
 
 use crate::check::{Config, ConfigError, Range};
-use crate::snapshot::stored;
+use crate::snapshot::{LARGEST_COUNT, stored};
 
 /// When an agent is surprised, and what it does then.
 ///
@@ -112,6 +112,22 @@ impl Alarm {
         alarmed
     }
 
+    fn is_sound(&self) -> bool {
+        (0.0..=LARGEST_COUNT).contains(&self.missing) && (0.0..1.1).contains(&self.usual)
+    }
+
+    /// Gets acquainted anew when its numbers cannot be so; whether they could not.
+    pub(crate) fn audit(&mut self) -> bool {
+        let sound = self.is_sound();
+        if !sound {
+            *self = Self {
+                alarms: self.alarms,
+                ..Self::NONE
+            };
+        }
+        !sound
+    }
+
     /// Begins a doubt.
     pub(crate) fn ring(&mut self, config: &SurpriseConfig) {
         self.missing = 0.0;
@@ -133,7 +149,7 @@ impl Alarm {
 stored! { impl[] SurpriseConfig { missing, enough, doubt, optimism } }
 stored! {
     impl[] Alarm { missing, usual, acted, doubt, alarms }
-    sound |it, _limits| it.missing >= 0.0 && it.usual >= 0.0 && it.usual < 1.1
+    sound |it, _limits| it.is_sound()
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! The agent has the turns and the stage of a life, and beside its maps its faculties, which know
 //! and prefer; chance and the trail of what has succeeded are small states of their own.
 
+mod audit;
 mod config;
 mod exploring;
 mod faculties;
@@ -14,6 +15,7 @@ mod life;
 mod step;
 mod trail;
 
+pub use audit::Audit;
 pub use config::{Adaptation, AgentConfig, Escape};
 pub use life::{Agent, Stage};
 pub use step::{AgentError, Choice, Lesson, Level, Reason};

@@ -173,6 +173,31 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
         self.count = 0;
     }
 
+    /// Forgets values that are none, and the last deeds when their ring is broken; answers how many.
+    pub(crate) fn audit(&mut self) -> u32 {
+        let mut mended = 0;
+        let items = self.items.as_flattened_mut().iter_mut();
+        let traces = self.traces.as_flattened_mut().iter_mut();
+        for worth in self.always.iter_mut().chain(items).chain(traces) {
+            if !(-LARGEST..=LARGEST).contains(worth) {
+                *worth = 0.0;
+                mended += 1;
+            }
+        }
+        let deeds = self.deeds.iter();
+        let known = |deed: &Deed<WORDS>| usize::from(deed.action.0) < ACTIONS;
+        let ring = usize::from(self.newest) < FELT
+            && usize::from(self.count) <= FELT
+            && self.reward.abs() <= LARGEST
+            && deeds.fold(true, |all, it| all & known(it));
+        if !ring {
+            self.deeds = [Deed::NONE; FELT];
+            (self.newest, self.count, self.reward) = (0, 0, 0.0);
+            mended += 1;
+        }
+        mended
+    }
+
     /// Learns from an action, done where these items were on and `trace` had just succeeded, and
     /// from the reward that it brought; answers how many values have moved.
     pub(crate) fn feel(

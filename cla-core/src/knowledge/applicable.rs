@@ -1,7 +1,7 @@
 //! Which schemas apply: found by their contexts, without a look at the others.
 //!
-//! Every conjunction knows the first schema of which it is the context, and every schema the next
-//! one of the same context, in ascending order.
+//! Every conjunction knows the first schema of which it is the context, and every schema how far it is
+//! to the next one of the same context, in ascending order: a link that was damaged leads onwards, too.
 //! What applies in a state is the union of the chains of the contexts that hold, merged in the order
 //! of the table: sums over it have the bits of a walk over the whole table.
 
@@ -40,7 +40,7 @@ impl<const WORDS: usize> Applicable<'_, WORDS> {
         knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
     ) -> Option<usize> {
         let index = self.next;
-        self.next = usize::from(knowledge.schemas.get(index)?.next);
+        self.next = index + 1 + usize::from(knowledge.schemas.get(index)?.skip);
         if self.several {
             self.next = self.others.next(knowledge, index, self.next);
         }
@@ -69,7 +69,7 @@ impl<const WORDS: usize> Others<WORDS> {
     ) -> usize {
         match self {
             Self::Chains(heads) => {
-                let mut least = next as u16;
+                let mut least = next.min(usize::from(NONE)) as u16;
                 for head in heads {
                     if *head < least {
                         core::mem::swap(head, &mut least);

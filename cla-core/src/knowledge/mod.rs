@@ -7,6 +7,7 @@
 //! This is all that a robot needs to act.
 
 mod applicable;
+mod audit;
 mod harvest;
 mod record;
 mod reliability;

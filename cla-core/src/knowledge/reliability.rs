@@ -96,6 +96,11 @@ impl Reliability {
         }
     }
 
+    /// Whether its numbers can be so.
+    pub(super) fn is_sound(&self) -> bool {
+        self.successes <= self.activations && (-ROUNDING..=1.0 + ROUNDING).contains(&self.recent)
+    }
+
     /// Trials so far.
     #[must_use]
     pub const fn activations(&self) -> u32 {
@@ -120,9 +125,7 @@ const ROUNDING: f32 = 1e-3;
 
 stored! {
     impl[] Reliability { successes, activations, recent }
-    sound |it, _limits| it.successes <= it.activations
-        && it.recent >= -ROUNDING
-        && it.recent <= 1.0 + ROUNDING
+    sound |it, _limits| it.is_sound()
 }
 
 stored_codes!(Estimate {

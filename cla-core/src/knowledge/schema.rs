@@ -55,8 +55,9 @@ pub struct Schema {
     pub support: u16,
     /// The synthetic item that stands for it at level 2, or [`NONE`].
     item: u16,
-    /// The next schema of the same context, or [`NONE`] (see `applicable`).
-    pub(crate) next: u16,
+    /// How many schemas lie between it and the next one of the same context, or [`NONE`] (see
+    /// `applicable`): whatever stands here, a chain leads onwards and ends.
+    pub(crate) skip: u16,
     /// Its trials.
     pub reliability: Reliability,
     /// What it keeps while an agent doubts what it knows.
@@ -91,7 +92,7 @@ impl Schema {
             result,
             support,
             item: NONE,
-            next: NONE,
+            skip: NONE,
             reliability: Reliability::default(),
             doubt: Doubt::default(),
         }
@@ -117,7 +118,7 @@ stored_as!(impl[] SyntheticId, below synthetic);
 
 // Which schema is the next of its context is found again.
 stored! {
-    impl[] Schema { context, action, result, support, item, reliability, doubt; next: NONE }
+    impl[] Schema { context, action, result, support, item, reliability, doubt; skip: NONE }
     counted schemas
 }
 

@@ -225,7 +225,10 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         }
         for (index, schema) in self.schemas.iter_mut().enumerate().rev() {
             if let Some(context) = self.patterns.get_mut(usize::from(schema.context.0)) {
-                schema.next = context.first;
+                schema.skip = match context.first {
+                    NONE => NONE,
+                    next => next.saturating_sub(index as u16 + 1),
+                };
                 context.first = index as u16;
             }
         }

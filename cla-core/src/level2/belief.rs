@@ -72,7 +72,7 @@ pub struct BeliefLosses {
 pub(crate) struct BeliefTable<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize> {
     pub(crate) rows: heapless::Vec<Row<ACTIONS>, ITEMS, u16>,
     /// In ascending order of (trace, item).
-    beliefs: heapless::Vec<Belief, BELIEFS, u16>,
+    pub(crate) beliefs: heapless::Vec<Belief, BELIEFS, u16>,
     pub(crate) losses: BeliefLosses,
     /// Occasions recorded so far; it wraps.
     clock: u32,

@@ -6,6 +6,7 @@
 //! [`SecondLevel`] counts beliefs in a table of its own; [`SomLevel`] is the book's form, harvested
 //! from maps, and stands beside an agent whose own second level is off.
 
+mod audit;
 mod belief;
 mod config;
 mod maps;

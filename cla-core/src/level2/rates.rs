@@ -9,7 +9,7 @@ use crate::snapshot::stored;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rates {
     pub(super) discount: f32,
-    experience: f32,
+    pub(super) experience: f32,
 }
 
 impl Rates {

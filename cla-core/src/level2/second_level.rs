@@ -37,15 +37,15 @@ const FELT: f32 = 0.01;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SecondLevel<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize> {
-    table: BeliefTable<ACTIONS, SYNTHETIC, BELIEFS>,
+    pub(crate) table: BeliefTable<ACTIONS, SYNTHETIC, BELIEFS>,
     /// By which discount and share of experience the rows' `then` was computed.
-    rates: Rates,
+    pub(super) rates: Rates,
     /// The item whose value is computed next.
     next_value: u16,
     /// Shares of right predictions: since the beginning, slowly and quickly forgetting.
     predictions: Reliability,
-    slow: f32,
-    fast: f32,
+    pub(crate) slow: f32,
+    pub(crate) fast: f32,
 }
 
 impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>

@@ -363,6 +363,25 @@ impl<
         }
     }
 
+    /// Makes nodes whose weights cannot be so free ones; answers how many.
+    pub(crate) fn audit(&mut self) -> u32 {
+        let mut mended = 0;
+        for node in self.nodes() {
+            if !(self.context.audit(node) | self.result.audit(node)) {
+                continue;
+            }
+            mended += 1;
+            let index = usize::from(node.0);
+            if let Some(wins) = self.wins.as_mut_slice().get_mut(index) {
+                *wins = 0;
+            }
+            if let Some(recruited) = self.recruited.as_mut_slice().get_mut(index) {
+                *recruited = false;
+            }
+        }
+        mended
+    }
+
     /// Lets all wins count for half; a node that has won has won at least once.
     #[inline(never)]
     fn halve_wins(&mut self) {

@@ -14,7 +14,7 @@ use crate::snapshot::stored;
 
 /// A prototype's factor is folded into its weights when it falls below this: far above the point
 /// where dividing by it loses digits, and rare enough to cost little.
-const SMALLEST_SCALE: f32 = 1.0 / 1024.0;
+pub(super) const SMALLEST_SCALE: f32 = 1.0 / 1024.0;
 
 /// Nodes whose sums are made together: with as many weights they fill the registers of an FPU.
 const LANES: usize = 16;
@@ -46,9 +46,9 @@ pub struct BinarySom<const WIDTH: usize, const HEIGHT: usize, const FEATURES: us
     /// v, feature by feature; a weight is `scale · v`.
     columns: [Grid<f32, WIDTH, HEIGHT>; FEATURES],
     /// s of each node.
-    scale: Grid<f32, WIDTH, HEIGHT>,
+    pub(super) scale: Grid<f32, WIDTH, HEIGHT>,
     /// |m|² of each node.
-    squared_norm: Grid<f32, WIDTH, HEIGHT>,
+    pub(super) squared_norm: Grid<f32, WIDTH, HEIGHT>,
 }
 
 impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>

@@ -5,6 +5,7 @@
 //! [`ByteSom`] is the same in a quarter of the memory; [`Prototypes`] is what both can do.
 //! The maps know nothing of layers or schemas; both are built on them.
 
+mod audit;
 mod binary;
 mod byte;
 mod dense;

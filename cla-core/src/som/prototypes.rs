@@ -69,6 +69,12 @@ pub trait Prototypes<const WIDTH: usize, const HEIGHT: usize> {
         may_move: impl Fn(NodeId) -> bool,
     );
 
+    /// Makes a node whose weights cannot be so one that says nothing, and its norm what it is; whether
+    /// anything was wrong.
+    fn audit(&mut self, _node: NodeId) -> bool {
+        false
+    }
+
     /// Makes a node's prototype the stimulus itself; unknown features become ½.
     fn imprint(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId);
 }
@@ -115,6 +121,10 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize> Prototypes<
         may_move: impl Fn(NodeId) -> bool,
     ) {
         Self::train(self, stimulus, winner, alpha, neighbourhood, may_move);
+    }
+
+    fn audit(&mut self, node: NodeId) -> bool {
+        self.audit_node(node)
     }
 
     fn imprint(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId) {

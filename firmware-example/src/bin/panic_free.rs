@@ -273,6 +273,7 @@ entries! {
     "load" (it: &mut Agent6, mind: &mut Forest, from: &mut &[u8]) -> Option<u32> {
         snapshot::load(mind, Names::UNKNOWN, from).ok().or(snapshot::load(it, Names::UNKNOWN, from).ok())
     }
+    "audit" (brain: &mut Agent6, to: &mut Nowhere) { let _ = write!(to, "{}", brain.audit()); }
     "load_bytes" (it: &mut small::Brain, from: &mut &[u8]) -> Result<u32, LoadError<SourceEnd>> { snapshot::load(it, Names::of(&["a"], &["b"]), from) }
     "say_snapshot" (a: &SaveError<SinkFull>, b: &LoadError<SourceEnd>, to: &mut Nowhere) { let _ = write!(to, "{a}{b}"); }
 

@@ -4,6 +4,7 @@
 
 mod budget;
 mod meter;
+mod snapshots;
 
 use std::sync::{Mutex, PoisonError};
 

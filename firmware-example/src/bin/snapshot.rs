@@ -1,0 +1,80 @@
+#![no_std]
+#![no_main]
+//! Takes over a life from the host: loads the image `to-board.brain`, lives on along the recording and
+//! writes `from-board.brain`; says what loading and saving took.
+//!
+//! The test `snapshots` in `../../tests` makes the first file and compares the second.
+
+use cla_core::snapshot::{self, SliceSink};
+use firmware_example::resume::{BACK, THERE, live, names};
+use firmware_example::{board, profile};
+use semihosting::io::{Read, Write};
+use semihosting::{fs, println, process};
+
+/// Larger than any image of the brain.
+const MOST: usize = 384 * 1024;
+
+static mut BRAIN: profile::Brain = profile::brain();
+static mut IMAGE: [u8; MOST] = [0; MOST];
+
+/// Goes from host to board and back.
+fn take_over() -> Result<(), &'static str> {
+    let (brain, image) = (&raw mut BRAIN, &raw mut IMAGE);
+    // SAFETY: this runs once, and no interrupt touches either.
+    #[allow(unsafe_code)]
+    let (brain, image) = unsafe { (&mut *brain, &mut *image) };
+    let mut file = fs::File::open(c"to-board.brain").map_err(|_| "there is no image")?;
+    let mut length = 0;
+    loop {
+        let rest = image.get_mut(length..).unwrap_or_default();
+        match file.read(rest) {
+            Ok(0) => break,
+            Ok(more) => length += more,
+            Err(_) => return Err("the image cannot be read"),
+        }
+    }
+    let mut whole = image.get(..length).unwrap_or_default();
+    board::paint_stack();
+    let mut counter = board::Counter::start();
+    counter.lap();
+    let loaded = snapshot::load(brain, names(), &mut whole);
+    let instructions = counter.lap();
+    match loaded {
+        Ok(bytes) => println!("loaded {bytes}"),
+        Err(refused) => {
+            println!("{refused}");
+            return Err("the image was refused");
+        }
+    }
+    println!("load instructions {instructions}");
+    println!("load stack {}", board::stack_used());
+    let print = live(brain, THERE, BACK).map_err(|_| "the brain refused to live")?;
+    println!("life {print}");
+    board::paint_stack();
+    counter.lap();
+    let mut sink = SliceSink::new(image);
+    let saved = snapshot::save(brain, names(), &mut sink);
+    let instructions = counter.lap();
+    let Ok(saved) = saved else {
+        return Err("the brain could not be saved");
+    };
+    println!("saved {saved}");
+    println!("save instructions {instructions}");
+    println!("save stack {}", board::stack_used());
+    let image = image.get(..saved as usize).unwrap_or_default();
+    let mut file = fs::File::create(c"from-board.brain").map_err(|_| "there is no room")?;
+    file.write_all(image)
+        .map_err(|_| "the image cannot be written")
+}
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    match take_over() {
+        Ok(()) => process::exit(0),
+        Err(why) => {
+            println!("{why}");
+            process::exit(1);
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! A brain that moves: saved on the host, gone on with on an emulated board, taken back.
+
+use std::fs;
+use std::path::PathBuf;
+
+use cla_core::agent::{Adaptation, AgentConfig};
+use cla_core::forager::pioneer;
+use firmware_example::resume::{BACK, FROM_BOARD, THERE, TO_BOARD, live, names};
+use firmware_example::trace::{ACTIONS, SEED};
+use host_sim::device::board::Build;
+use host_sim::device::target::Target;
+use host_sim::keeping::{keep, recall};
+
+/// A folder of this test's own, removed at its end.
+struct Folder(PathBuf);
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // What the system cannot remove now it removes with its temporary files.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// What the board printed; `None` when it refused the image.
+fn on_board(folder: &Folder) -> (bool, String) {
+    let build = Build::new(Target::M4f, "snapshot");
+    let program = build.build().unwrap_or_else(|error| panic!("{error}"));
+    let mut emulator = Target::M4f.emulator(&program);
+    let output = emulator.current_dir(&folder.0).output().expect("QEMU runs");
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    (output.status.success(), printed)
+}
+
+fn at_home() -> Box<pioneer::Brain> {
+    let mut brain = Box::new(pioneer::brain());
+    pioneer::be_born(&mut brain, AgentConfig::RESILIENT_LEVEL2, SEED).expect("it is sound");
+    live(&mut brain, 0, THERE / 2).expect("it lives");
+    brain.act(Adaptation::Relearning).expect("it was born");
+    brain.doubt();
+    live(&mut brain, THERE / 2, THERE).expect("it lives");
+    brain
+}
+
+#[test]
+fn a_life_goes_from_the_host_to_a_board_and_back_and_nobody_can_tell() {
+    let folder = Folder(std::env::temp_dir().join(format!("moving-{}", std::process::id())));
+    fs::create_dir_all(&folder.0).expect("a folder");
+    let (there, back) = (folder.0.join(TO_BOARD), folder.0.join(FROM_BOARD));
+    let mut home = at_home();
+    let sent = keep(&*home, names(), &there).expect("it is saved");
+    let (taken, printed) = on_board(&folder);
+    assert!(taken, "{printed}");
+    println!("{printed}");
+    // The life that was never interrupted, on this machine.
+    let print = live(&mut home, THERE, BACK).expect("it lives");
+    let whole = folder.0.join("whole.brain");
+    let bytes = keep(&*home, names(), &whole).expect("it is saved");
+    for line in [
+        format!("loaded {sent}"),
+        format!("life {print}"),
+        format!("saved {bytes}"),
+    ] {
+        assert!(printed.lines().any(|it| it == line), "{line}: {printed}");
+    }
+    assert!(fs::read(&whole).expect("whole") == fs::read(&back).expect("back"));
+    let mut returned = Box::new(pioneer::brain());
+    recall(&mut *returned, names(), &back).expect("it is whole");
+    let lives = [&mut home, &mut returned].map(|it| live(it, BACK, ACTIONS / 4).expect("it lives"));
+    assert_eq!(lives[0], lives[1]);
+
+    // A damaged image is refused there as here.
+    let mut damaged = fs::read(&there).expect("the image");
+    let middle = damaged.len() / 2;
+    damaged[middle] ^= 0x10;
+    fs::write(&there, damaged).expect("a file");
+    let (taken, printed) = on_board(&folder);
+    assert!(
+        !taken && printed.contains("the image is damaged in its maps"),
+        "{printed}"
+    );
+}
