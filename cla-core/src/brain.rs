@@ -80,8 +80,9 @@ pub mod message {
 ///   values: before it the brain refuses to choose and to learn;
 /// - `RAM`, the bytes that it costs, all of them in `.bss`.
 ///
-/// The keys may stand in any order: `items`, `actions`, `values` (negative for harm), `samples` and
-/// `ram`.
+/// The keys may stand in any order: `items`, `actions`, `values` (negative for harm), `samples`, `ram`,
+/// and `imagines` for a brain that plans: so many states it imagines at once, with schemas that foresee
+/// them ([`Reason`](crate::reason::Reason)), and it can [`pursue`](crate::forest::Mind::pursue) a goal.
 /// A key that is missing is named, one that is unknown or stands twice is pointed at, and so is a
 /// value of something that is no item.
 ///
@@ -267,6 +268,31 @@ macro_rules! brain {
             }
             now
         }
+
+        /// A goal: these items on, those off.
+        #[must_use]
+        pub fn goal(on: &[Item], off: &[Item]) -> $crate::word::SignedItems<WORDS> {
+            let mut goal = $crate::word::SignedItems::EMPTY;
+            for (items, sign) in [(on, true), (off, false)] {
+                for item in items {
+                    // An item of the robot fits its goals.
+                    let _ = goal.insert(item.id(), sign);
+                }
+            }
+            goal
+        }
+    };
+    // What it thinks with: nothing, or room for so many imagined states.
+    (@reason) => { () };
+    (@reason $imagines:expr) => {
+        $crate::reason::Reason<
+            WORDS,
+            { ITEMS.len() },
+            { ACTIONS.len() },
+            { $crate::forest::Capacities::thoughts($imagines).samples },
+            { $crate::forest::Capacities::thoughts($imagines).schemas },
+            { $imagines },
+        >
     };
     // Its bytes, and whether they are as many as it may take.
     (@ram $ram:expr) => {
@@ -283,67 +309,70 @@ macro_rules! brain {
     (@keys $head:tt [$($seen:ident)*] $places:tt $key:ident: $($rest:tt)*) => {
         $crate::brain! { @key $head [$($seen)* $key] $places $key: $($rest)* }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8 $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8 $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8 $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8 $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8 $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8 $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new} $s9] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new} $s9 $s10] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt] samples: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 {$new}] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] samples: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 {$new} $s10] $($($rest)*)? }
     };
-    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt]) => {
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] imagines: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 {$new}] $($($rest)*)? }
+    };
+    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt]) => {
         compile_error!("brain!: a key is missing: `items: [light, at_lamp]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt]) => {
         compile_error!("brain!: a key is missing: `actions: [left, right]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt]) => {
         compile_error!("brain!: a key is missing: `values: [at_lamp = 10.0]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {}]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt]) => {
         compile_error!("brain!: a key is missing: `samples: 1_024`, or for the book's learner `maps: 6 x 6`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt {}]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt]) => {
         compile_error!("brain!: a key is missing: `patterns: 32`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt {}]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt {} $s10:tt]) => {
         compile_error!("brain!: a key is missing: `schemas: 128`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {} $s9:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {} $s9:tt $s10:tt]) => {
         compile_error!("brain!: a key is missing: `ram: 12_000`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} {} {} {} {} $s8:tt {$samples:expr}]) => {
-        $crate::brain! { @mind $head $seen $s0 $s1 $s2 $s8 {$samples} }
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} {} {} {} {} $s8:tt {$samples:expr} $s10:tt]) => {
+        $crate::brain! { @mind $head $seen $s0 $s1 $s2 $s8 {$samples} $s10 }
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {$samples:expr}]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {$samples:expr} $s10:tt]) => {
         compile_error!("brain!: `samples` is for the one learner; `maps`, `patterns`, `schemas`, `synthetic` and `beliefs` are for the book's");
     };
     (
         @mind { $(#[$meta:meta])* $visibility:vis mod $name:ident } [$($seen:ident)*]
         { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
-        { $ram:expr } { $samples:expr }
+        { $ram:expr } { $samples:expr } { $($imagines:expr)? }
     ) => {
         $(#[$meta])*
         $visibility mod $name {
@@ -384,6 +413,7 @@ macro_rules! brain {
                 { CAPACITIES.rows },
                 { CAPACITIES.states },
                 { CAPACITIES.links },
+                $crate::brain!(@reason $($imagines)?),
             >;
 
             $crate::brain! { @ram $ram }
@@ -391,7 +421,7 @@ macro_rules! brain {
             /// A brain before its birth: all memory zero.
             #[must_use]
             pub const fn brain() -> Brain {
-                Brain::new()
+                Brain::unborn()
             }
 
             /// A brain's birth: what is in `VALUES` is worth having, or harm, from now on.
@@ -413,7 +443,7 @@ macro_rules! brain {
             { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
             { $width:literal, $height:literal $(, $weights:ident)? }
             { $patterns:expr } { $schemas:expr } { $($synthetic:expr)? } { $($beliefs:expr)? }
-            { $ram:expr } {}
+            { $ram:expr } {} {}
         ]
     ) => {
         $(#[$meta])*
@@ -479,7 +509,7 @@ macro_rules! brain {
         $visibility:vis mod $name:ident { $($keys:tt)* }
     ) => {
         $crate::brain! {
-            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {} {}] $($keys)*
+            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {} {} {}] $($keys)*
         }
     };
 }

@@ -83,3 +83,48 @@ fn a_percept_asks_for_every_item_and_unknown_must_be_said() {
     let states = [Item::earth, Item::gold, Item::hot].map(|item| now.get(item.id()));
     assert_eq!(states, [Some(true), Some(false), None]);
 }
+
+crate::brain! {
+    /// A corridor of four places, and a robot that plans.
+    #[allow(dead_code, unreachable_pub)]
+    mod planner {
+        items: [first, second, third, fourth],
+        actions: [back, on],
+        values: [fourth = 1.0],
+        samples: 64,
+        imagines: 32,
+        ram: 40_000,
+    }
+}
+
+#[test]
+fn a_robot_that_imagines_pursues_a_goal_which_is_worth_nothing() {
+    use crate::reason::Pursuit;
+    use planner::{Action, Item};
+    let mut brain = planner::brain();
+    planner::be_born(&mut brain, crate::MindConfig::DEFAULT, 1).unwrap();
+    let sense = |place: usize| planner::percept(|item| item as usize == place);
+    let mut place = 0;
+    let mut live = |brain: &mut planner::Brain| {
+        let choice = brain.choose(&sense(place)).unwrap();
+        place = match Action::of(choice.action) {
+            Some(Action::on) => (place + 1).min(3),
+            _ => place.saturating_sub(1),
+        };
+        brain.learn(&sense(place)).unwrap();
+        place
+    };
+    for _ in 0..400 {
+        live(&mut brain);
+    }
+    brain.act().unwrap();
+    // Now it stays at the fourth place; the first is worth nothing, and is reached all the same.
+    brain
+        .pursue(planner::goal(&[Item::first], &[]), 50, &sense(3))
+        .unwrap();
+    let reached = (0..50).any(|_| {
+        live(&mut brain);
+        brain.pursuit() == Pursuit::Reached
+    });
+    assert!(reached, "{:?}", brain.pursuit());
+}

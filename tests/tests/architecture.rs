@@ -95,7 +95,10 @@ const STOREYS: [(&str, &[&str]); 17] = [
     ("growth", &["check", "num", "word"]),
     ("reason", &["growth", "num", "word"]),
     ("forest", &["check", "num", "reason", "snapshot", "word"]),
-    ("brain", &["agent", "check", "forest", "som", "word"]),
+    (
+        "brain",
+        &["agent", "check", "forest", "reason", "som", "word"],
+    ),
     ("forager", &["brain"]),
 ];
 

@@ -42,6 +42,30 @@ impl Capacities {
             links: 4 * states,
         }
     }
+
+    /// Of what a mind thinks with that imagines so many states at once.
+    #[must_use]
+    pub const fn thoughts(imagines: usize) -> Thoughts {
+        Thoughts {
+            samples: at_least(imagines * 3 / 34, 16),
+            schemas: at_least(imagines * 15 / 17, 16),
+        }
+    }
+}
+
+/// The capacities of a [`Reason`](crate::reason::Reason) beside the states that it imagines.
+///
+/// ```
+/// use cla_core::forest::Capacities;
+/// let it = Capacities::thoughts(1700);
+/// assert_eq!((it.samples, it.schemas), (150, 1500));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Thoughts {
+    /// Samples of each action.
+    pub samples: usize,
+    /// Schemas of all actions.
+    pub schemas: usize,
 }
 
 const fn at_least(number: usize, least: usize) -> usize {

@@ -37,7 +37,7 @@ mod unborn;
 mod voices;
 
 pub use budget::WorkBudget;
-pub use capacities::Capacities;
+pub use capacities::{Capacities, Thoughts};
 pub use config::{Doubting, Heard, MindConfig, Voice};
 pub use goals::Explanation;
 pub use mind::Mind;
