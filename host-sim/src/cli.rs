@@ -108,6 +108,22 @@ pub enum Command {
         #[command(flatten)]
         out: OutArgs,
     },
+    /// One learner, one configuration: what it earns in every world, damaged and taught.
+    One {
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Some parts only: forager, recover, unknown, distractors, lake, shuttle, vacuum, keys,
+        /// generated, harm, teach.
+        #[arg(long, value_name = "PART,…", value_delimiter = ',')]
+        parts: Vec<String>,
+        /// The forager also lives 200,000 and then ten million actions.
+        #[arg(long)]
+        long: bool,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// The brain on emulated microcontrollers: the same bits, what it costs, others beside it.
     Mcu {
         /// Which lives.

@@ -19,6 +19,7 @@ use crate::experiment::hil::{Hil, HilOptions};
 use crate::experiment::mcu::{Mcu, McuOptions};
 use crate::experiment::microworld::{Chapter5, MicroworldOptions, Pursuit, PursuitOptions};
 use crate::experiment::noted::{Plan, Planned};
+use crate::experiment::one::{One, OneOptions};
 use crate::experiment::plan::Experiment;
 use crate::experiment::recover::{Recover, RecoverOptions};
 use crate::failure::{Failure, Impossible};
@@ -141,6 +142,15 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
             }
             (None, seeds) => (plan::<Chapter5>(MicroworldOptions { seeds }), out, None),
         },
+        Command::One {
+            seeds: which,
+            parts,
+            long,
+            out,
+        } => {
+            let options = OneOptions::new(seeds(which)?, parts, *long)?;
+            (plan::<One>(options), out, None)
+        }
         Command::Mcu {
             seeds: which,
             budget,

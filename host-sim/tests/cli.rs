@@ -72,6 +72,8 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         &["forage", "--layout", "none.txt"],
         &["calibrate", "--seeds", "1..2"],
         &["recover", "--damage", "flood"],
+        &["one", "--parts", "moon"],
+        &["one", "--parts", "lake", "--long"],
         &["recover", "--damage", "camera:left"],
         &["recover", "--damage", "dead:s9"],
         &["recover", "--removed"],

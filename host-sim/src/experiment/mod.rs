@@ -8,6 +8,7 @@ pub mod hil;
 pub mod mcu;
 pub mod microworld;
 pub mod noted;
+pub mod one;
 pub mod plan;
 pub mod record;
 pub mod recover;
@@ -32,6 +33,7 @@ pub fn declared(experiment: &str) -> Option<Vec<Claim>> {
         "causal" => Some(causal::declared()),
         "forage" => Some(forage::declared()),
         "microworld" => Some(microworld::declared()),
+        "one" => Some(one::declared()),
         "recover" => Some(recover::declared()),
         _ => None,
     }

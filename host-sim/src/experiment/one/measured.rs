@@ -1,0 +1,49 @@
+//! What was measured with one seed, by name.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// Everything that was measured with one seed.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Trial {
+    /// The seed.
+    pub seed: u64,
+    /// What was measured, by its name; a course has several numbers.
+    pub measured: BTreeMap<String, Vec<f64>>,
+}
+
+impl Trial {
+    /// Writes down a number.
+    pub(super) fn note(&mut self, name: impl Into<String>, number: impl Into<f64>) {
+        self.measured.insert(name.into(), vec![number.into()]);
+    }
+
+    /// Writes down a course.
+    pub(super) fn note_all(&mut self, name: impl Into<String>, numbers: Vec<f64>) {
+        self.measured.insert(name.into(), numbers);
+    }
+
+    /// All numbers of this name; none where it was not measured.
+    #[must_use]
+    pub fn several(&self, name: &str) -> &[f64] {
+        self.measured.get(name).map_or(&[], Vec::as_slice)
+    }
+
+    /// The first `count` numbers of this name together; NaN where there are fewer.
+    #[must_use]
+    pub fn sum(&self, name: &str, count: usize) -> f64 {
+        let first = self.several(name).get(..count);
+        first.map_or(f64::NAN, |it| it.iter().fold(0.0, |sum, it| sum + it))
+    }
+}
+
+/// What was measured under one name, seed by seed.
+pub(super) fn of(trials: &[Trial], name: &str) -> Vec<f64> {
+    sums(trials, name, 1)
+}
+
+/// The first numbers of a course together, seed by seed.
+pub(super) fn sums(trials: &[Trial], name: &str, count: usize) -> Vec<f64> {
+    trials.iter().map(|trial| trial.sum(name, count)).collect()
+}
