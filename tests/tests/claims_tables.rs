@@ -2,6 +2,8 @@
 //!
 //! `UPDATE_CLAIMS=1 cargo test -p cla-tests --test claims_tables` writes them anew.
 
+mod recovery;
+
 use std::collections::BTreeMap;
 use std::fs;
 
@@ -36,7 +38,8 @@ fn summaries() -> Vec<Summary> {
 
 /// `{id:digits}` becomes the claim's estimate, `{id:digits:sd}` that with its deviation, `median` the
 /// median of its seeds, `printed` the number it is compared with (`mean_printed` without deviation),
-/// `ours` and `against` each arm of its pairs by itself; digits are `3`, `.3` (no 0 before the point),
+/// `ours` and `against` each arm of its pairs by itself, `time` a time with the seeds in which it is
+/// never; digits are `3`, `.3` (no 0 before the point),
 /// `0,` (thousands apart) or `0%`.
 fn fill(template: &str, summaries: &[Summary]) -> String {
     let mut text = String::new();
@@ -103,6 +106,7 @@ fn number(claim: &Claim, digits: &str, what: &str) -> String {
             let printed = claim.reference.as_ref().expect("a printed number");
             spread(printed.mean, printed.sd.filter(|_| what == "printed"))
         }
+        "time" => recovery::time(claim),
         "ours" => arm(&claim.per_seed),
         "against" => arm(claim.against.as_ref().expect("pairs")),
         other => panic!("{other} is nothing of a claim"),
@@ -157,7 +161,18 @@ fn the_tables_of_the_documents_say_what_the_claims_say() {
         .map(|(document, name, template)| (document, name, fill(&template, &summaries)));
     let (document, name) = ("docs/claims.md".to_owned(), "verdicts".to_owned());
     let counted = (document, name, verdicts(&summaries));
-    for (path, name, table) in filled.chain([counted]) {
+    let recover = summaries.iter().find(|it| it.experiment == "recover");
+    let recover = recover.expect("the claims of recovery");
+    let recovered = [
+        ("camera", recovery::camera(recover)),
+        ("damages", recovery::by_damage(recover)),
+        ("everybody", recovery::everybody(recover)),
+    ];
+    let recovered = recovered.map(|(name, table)| {
+        let document = "docs/findings/recovery.md".to_owned();
+        (document, name.to_owned(), table)
+    });
+    for (path, name, table) in filled.chain([counted]).chain(recovered) {
         let path = root().join(path);
         let text = fs::read_to_string(&path).expect("the document can be read");
         let told = with_table(&text, &name, &table);

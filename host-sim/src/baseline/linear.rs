@@ -2,11 +2,15 @@
 //!
 //! Where percepts hardly ever come twice, because items blink or err, a table learns nothing; this
 //! rival generalizes over items, one by one.
+//! The reward is what the world gives as a number; where it gives none, 1 when the Pioneer's `ingrip`
+//! is on after an action.
 //! Sources: Rummery and Niranjan (1994); Sutton and Barto (2018), 12.7, for replacing traces.
 
+use cla_core::agent::Escape;
 use cla_core::num::Rng;
 
-use super::tabular::{History, bits};
+use super::patience::Patience;
+use super::tabular::{History, bits, captured};
 use crate::failure::Failure;
 use crate::learner::Learner;
 use crate::world::{Percept, WORLD_WORDS, World};
@@ -31,6 +35,8 @@ pub struct LinearConfig {
     pub explore: f64,
     /// Share of random actions afterwards.
     pub explore_acting: f64,
+    /// Random actions after a long time without reward, as the brain has them.
+    pub escape: Option<Escape>,
 }
 
 impl LinearConfig {
@@ -42,6 +48,7 @@ impl LinearConfig {
         lambda: 0.8,
         explore: 0.1,
         explore_acting: 0.02,
+        escape: None,
     };
 }
 
@@ -71,6 +78,7 @@ pub struct Linear {
     chosen: (Vec<usize>, usize),
     /// What voted, the action and the reward that wait for what comes next.
     waiting: Option<(Vec<usize>, usize, f64)>,
+    patience: Patience,
 }
 
 /// Marks below this are forgotten.
@@ -95,6 +103,7 @@ impl Linear {
             before: [None; 2],
             chosen: (Vec::new(), 0),
             waiting: None,
+            patience: Patience::NEW,
         }
     }
 
@@ -128,6 +137,9 @@ impl Linear {
     }
 
     fn pick(&mut self, voters: &[usize]) -> usize {
+        if self.acting && self.patience.ends(self.config.escape) {
+            return self.rng.below(self.actions as u32) as usize;
+        }
         let share = if self.acting {
             self.config.explore_acting
         } else {
@@ -182,14 +194,14 @@ impl Learner for Linear {
         Ok(action)
     }
 
-    /// Without a reward as a number there is none.
     fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
-        self.learn_with(now, 0.0)
+        self.learn_with(now, captured(now) as f32)
     }
 
     fn learn_with(&mut self, _: &Percept, reward: f32) -> Result<(), Failure> {
         let (voters, action) = core::mem::take(&mut self.chosen);
         self.waiting = Some((voters, action, f64::from(reward)));
+        self.patience.feel(reward > 0.0);
         Ok(())
     }
 
@@ -210,6 +222,7 @@ impl Learner for Linear {
 
     fn act(&mut self) -> Result<(), Failure> {
         self.acting = true;
+        self.patience.begin();
         Ok(())
     }
 }

@@ -3,11 +3,12 @@
 //! Controllers that learn nothing: `random` draws any action; `sector` and `lock` are hand-coded
 //! visual servos for the Pioneer, the ones that drove the original simulator in
 //! `host-sim/data/stage`; `told` is a servo that is told what broke.
-//! Learners: `tabular` reinforcement learning, `drescher`'s marginal attribution.
+//! Learners: `tabular` and `linear` reinforcement learning, `drescher`'s marginal attribution.
 
 pub mod drescher;
 pub mod linear;
 pub mod lock;
+pub mod patience;
 pub mod random;
 pub mod sector;
 pub mod tabular;

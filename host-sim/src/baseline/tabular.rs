@@ -4,13 +4,9 @@
 //! number, and where it gives none, 1 when the Pioneer's `ingrip` is on after an action.
 //! A state is the set of items that are on; with history also the sets and the actions before.
 //!
-//! Tuned for the Pioneer on a grid (`examples/tune_tabular.rs`): α .03 .1 .3, discount .9 .95 .98, random actions .1
-//! .3 in training and .02 .05 .1 afterwards, untried actions worth 0 .5, with and without the brain's
-//! escape, and for Sarsa λ .5 .8 .9 .95 replacing or .5 .8 .9 accumulating: 216 sets for
-//! Q-learning (seeds 0–3 without and 0–2 with history), 1512 for Sarsa (seeds 0–2), and 48 like the best
-//! of these for Sarsa with history (seeds 0–3).
-//! Best captures in 3000 undamaged, 0–3k and 10–13k damaged actions, camera:+12, on those seeds: Q
-//! 252, 169, 210; with history 254, 113, 196; Sarsa 275, 184, 257; with history 215, 108, 203.
+//! The constants are the best of an earlier grid for the Pioneer (seeds 0–3, 10,000 actions of training)
+//! and the first of the configurations among which the recovery experiment has its rivals
+//! (`experiment/recover/rivals.rs`).
 //! Sources: Watkins (1989); Rummery and Niranjan (1994); Singh and Sutton (1996) for the traces.
 
 use std::collections::BTreeMap;
@@ -19,6 +15,7 @@ use cla_core::agent::Escape;
 use cla_core::num::Rng;
 use cla_core::word::ItemId;
 
+use super::patience::Patience;
 use crate::failure::Failure;
 use crate::learner::{Learner, Thought};
 use crate::world::Percept;
@@ -163,8 +160,7 @@ pub struct Tabular {
     /// State, action and reward that wait for what comes next.
     waiting: Option<(State, usize, f64)>,
     chosen: (State, usize),
-    since_reward: u16,
-    burst: u16,
+    patience: Patience,
 }
 
 /// Marks below this are forgotten.
@@ -195,8 +191,7 @@ impl Tabular {
             before: [None; 2],
             waiting: None,
             chosen: (State::default(), 0),
-            since_reward: 0,
-            burst: 0,
+            patience: Patience::NEW,
         }
     }
 
@@ -222,15 +217,8 @@ impl Tabular {
 
     fn pick(&mut self, state: &State) -> usize {
         let actions = self.untried.len() as u32;
-        if let Some(escape) = self.config.escape.filter(|_| self.acting) {
-            if self.burst == 0 && self.since_reward >= escape.after {
-                self.burst = escape.burst;
-                self.since_reward = 0;
-            }
-            if self.burst > 0 {
-                self.burst -= 1;
-                return self.rng.below(actions) as usize;
-            }
+        if self.acting && self.patience.ends(self.config.escape) {
+            return self.rng.below(actions) as usize;
         }
         let share = if self.acting {
             self.config.explore_acting
@@ -285,6 +273,11 @@ pub(super) fn bits(percept: &Percept) -> u128 {
     words.fold(0, |bits, &word| bits << 32 | u128::from(word))
 }
 
+/// The reward of a world that gives none as a number: 1 when the Pioneer holds something.
+pub(super) fn captured(now: &Percept) -> f64 {
+    f64::from(u8::from(now.get(ItemId(INGRIP)) == Some(true)))
+}
+
 fn greatest(row: &[f64]) -> f64 {
     row.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
@@ -292,11 +285,7 @@ fn greatest(row: &[f64]) -> f64 {
 impl Tabular {
     fn feel(&mut self, reward: f64) {
         self.waiting = Some((self.chosen.0, self.chosen.1, reward));
-        self.since_reward = if reward > 0.0 {
-            0
-        } else {
-            self.since_reward.saturating_add(1)
-        };
+        self.patience.feel(reward > 0.0);
     }
 }
 
@@ -324,8 +313,7 @@ impl Learner for Tabular {
     }
 
     fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
-        let captured = now.get(ItemId(INGRIP)) == Some(true);
-        self.feel(f64::from(u8::from(captured)));
+        self.feel(captured(now));
         Ok(())
     }
 
@@ -351,7 +339,7 @@ impl Learner for Tabular {
 
     fn act(&mut self) -> Result<(), Failure> {
         self.acting = true;
-        self.since_reward = 0;
+        self.patience.begin();
         Ok(())
     }
 

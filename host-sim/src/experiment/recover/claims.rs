@@ -2,6 +2,7 @@
 
 use super::life::Course;
 use super::options::RecoverOptions;
+use super::rivals::Rival;
 use super::tables;
 use super::trial::{Entrant, Lived, Trial, before, entrants};
 use crate::report::{Better, Bound, Claim, Expectation, Reference, Rule, Statistic, Summary, mean};
@@ -16,6 +17,9 @@ pub(super) fn summary(options: &RecoverOptions, trials: &[Trial]) -> Summary {
     summary.parameter("after", options.protocol.after);
     let brain = cla_core::agent::AgentConfig::RESILIENT_LEVEL2;
     summary.parameter("brain", format!("{brain:?}"));
+    for rival in Rival::ALL {
+        summary.parameter(&format!("{rival:?}"), format!("{:?}", rival.tuned()));
+    }
     for (index, damage) in options.damages.iter().enumerate() {
         let of = Lived { trials, index };
         summary.claims.extend(match damage {
@@ -44,41 +48,59 @@ fn recovery(of: &Lived<'_>, id: &str) -> Vec<Claim> {
     let claim = |name: &str, unit: &str| {
         Expectation::new(format!("recover.{id}.{name}"), "7.1.1", unit).extension()
     };
-    let ours = of.captures(Entrant::Both, 0, 3);
-    let sarsa = of.captures(Entrant::Sarsa, 0, 3);
     let late = of.captures(Entrant::Both, 10, 13);
     let random = of.captures(Entrant::Random, 10, 13);
+    // What a damaged life brings over what its twin brings meanwhile.
     let share = |name: &str, who: Entrant, from: u32| {
-        let when = if from == 0 {
-            "the first 3000 damaged actions"
-        } else {
-            "damaged actions 10,000 to 13,000"
+        let when = match from {
+            0 => "the first 3000 damaged actions",
+            3 => "damaged actions 3000 to 6000",
+            _ => "damaged actions 10,000 to 13,000",
         };
-        let note = format!("{}, {when}", who.name());
-        let seeds = of.of(who, |it| it.share(from, from + 3));
-        (claim(name, "share of before").note(note), seeds)
+        let note = format!("{}, {when}, over its undamaged twin", who.name());
+        let rule = if name == "relearn_10000@2" {
+            Rule::mean(Bound::AtLeast(0.9))
+        } else {
+            Rule::Measured
+        };
+        let (ours, twins) = (
+            of.captures(who, from, from + 3),
+            of.of_twins(who, from, from + 3),
+        );
+        let it = claim(name, "share of the twin").note(note).rule(rule);
+        it.family(&format!("recover.{}", name.trim_end_matches("@2")))
+            .judge_ratio(&ours, &twins)
     };
-    let told = |(claim, seeds): (Expectation, Vec<f64>)| claim.judge(&seeds);
-    let (late_claim, late_shares) = share("relearn_10000", Entrant::Both, 10);
+    let rival = Entrant::of(Rival::BEST);
     vec![
-        told(share("relearn_3000", Entrant::Both, 0)),
-        late_claim
-            .family("recover.relearn_10000")
-            .rule(Rule::mean(Bound::AtLeast(0.9)))
-            .judge(&late_shares),
-        told(share("plain_3000", Entrant::BothPlain, 0)),
-        told(share("no_habits_3000", Entrant::BothNoHabits, 0)),
-        told(share("level1_3000", Entrant::Surprise, 0)),
-        told(share("level1_10000", Entrant::Surprise, 10)),
-        claim("over_sarsa_3000", "ratio")
+        share("relearn_3000@2", Entrant::Both, 0),
+        share("relearn_6000", Entrant::Both, 3),
+        share("relearn_10000@2", Entrant::Both, 10),
+        share("plain_3000@2", Entrant::BothPlain, 0),
+        share("no_habits_3000@2", Entrant::BothNoHabits, 0),
+        share("no_level2_3000", Entrant::NoLevel2, 0),
+        share("level1_3000@2", Entrant::Surprise, 0),
+        share("level1_10000@2", Entrant::Surprise, 10),
+        claim("time_to_recover", "actions")
+            .rule(Rule::median(Bound::AtMost(4000.0)))
+            .note("both levels; until captures stay at .9 of the twin's, within the twin's error")
+            .judge_time(&of.times(Entrant::Both)),
+        claim("over_sarsa_3000@2", "ratio")
             .family(OVER_SARSA)
             .rule(Rule::All(vec![
                 Rule::mean(Bound::AtLeast(1.4)),
                 Rule::t(Bound::AtLeast(3.0)),
                 Rule::Keeps(Statistic::Holm, Bound::AtMost(0.05)),
             ]))
-            .note("captures of both levels over those of Sarsa(λ), first 3000 damaged actions")
-            .judge_ratio(&ours, &sarsa),
+            .note(format!(
+                "captures of both levels over those of {}, the best tuned of six rivals, first 3000 \
+                 damaged actions",
+                rival.name()
+            ))
+            .judge_ratio(
+                &of.captures(Entrant::Both, 0, 3),
+                &of.captures(rival, 0, 3),
+            ),
         claim("level2_over_level1", "ratio")
             .family("recover.level2_over_level1")
             .rule(Rule::mean(Bound::AtLeast(1.08)))
@@ -98,8 +120,8 @@ fn recovery(of: &Lived<'_>, id: &str) -> Vec<Claim> {
     ]
 }
 
-/// The family of what is asked of both levels beside Sarsa(λ), damage by damage.
-const OVER_SARSA: &str = "recover.over_sarsa_3000";
+/// The family of what is asked of both levels beside the best rival, damage by damage.
+const OVER_SARSA: &str = "recover.over_sarsa_3000@2";
 
 /// What the book and we say of its own damage.
 fn camera(of: &Lived<'_>) -> Vec<Claim> {
@@ -107,7 +129,6 @@ fn camera(of: &Lived<'_>) -> Vec<Claim> {
         Expectation::new(format!("recover.camera.{name}"), section, unit)
     };
     let (share, of_28) = ("share of before", "captures of 28");
-    let to_90 = |who: Entrant| of.of(who, |course| course.actions_to(0.9));
     let removed = |place: usize| -> Vec<f64> {
         of.trials
             .iter()
@@ -147,33 +168,37 @@ fn camera(of: &Lived<'_>) -> Vec<Claim> {
             .extension()
             .note("the same robot with replacement, damaged actions 10,000 to 13,000")
             .judge(&of.of(Entrant::Reliabilities, |it| it.share(10, 13))),
-        claim("actions_to_90", "7.1.1", "actions")
-            .extension()
-            .rule(Rule::median(Bound::AtMost(4000.0)))
-            .note("until a thousand actions brought 90 % of before")
-            .judge_time(&to_90(Entrant::Both)),
-        claim("plain_actions_to_90", "7.1.1", "actions")
-            .extension()
-            .note("both levels, re-learning without surprise")
-            .judge_time(&to_90(Entrant::BothPlain)),
-        claim("level1_actions_to_90", "7.1.1", "actions")
-            .extension()
-            .note("level 1 with surprise, of its own before")
-            .judge_time(&to_90(Entrant::Surprise)),
-        claim("sarsa_actions_to_90", "–", "actions")
-            .extension()
-            .note("Sarsa(λ), of its own before")
-            .judge_time(&to_90(Entrant::Sarsa)),
-        claim("random_actions_to_90", "–", "actions")
-            .extension()
-            .note("random actions, of their own before: what chance makes of this measure")
-            .judge_time(&to_90(Entrant::Random)),
         claim("vs_told_3000", "7.1.1", "ratio")
             .extension()
             .rule(Rule::mean(Bound::AtLeast(0.9)))
             .note("captures of both levels over those of a servo that is told of the damage")
             .judge_ratio(&ours, &told),
     ];
+    for (name, who) in [
+        ("no_habits", Entrant::BothNoHabits),
+        ("plain", Entrant::BothPlain),
+        ("no_level2", Entrant::NoLevel2),
+        ("level1", Entrant::Surprise),
+        ("sarsa", Entrant::of(Rival::BEST)),
+        ("told", Entrant::Told),
+        ("random", Entrant::Random),
+    ] {
+        all.push(
+            claim(&format!("{name}_time_to_recover"), "7.1.1", "actions")
+                .extension()
+                .note(format!("{}, beside its own undamaged twin", who.name()))
+                .judge_time(&of.times(who)),
+        );
+    }
+    let never = of.times(Entrant::Random);
+    let never: Vec<bool> = never.iter().map(|it| it.is_infinite()).collect();
+    all.push(
+        claim("random_never", "–", "share of seeds")
+            .extension()
+            .rule(Rule::mean(Bound::AtLeast(0.95)))
+            .note("random actions do not recover: chance does not win by this measure")
+            .judge_share(&never),
+    );
     let printed: [(usize, &str, Reference, Rule); 2] = [
         (
             0,
@@ -228,16 +253,19 @@ fn camera(of: &Lived<'_>) -> Vec<Claim> {
             &of.of(Entrant::Both, |it| it.predictions[1]),
         ),
     );
+    // The second of a name: tuned alike, and trained as long as is best.
     let baselines = [
-        ("q", Entrant::Q),
-        ("q_history", Entrant::QHistory),
-        ("sarsa_lambda", Entrant::Sarsa),
-        ("sarsa_lambda_history", Entrant::SarsaHistory),
-        ("told", Entrant::Told),
-        ("sector", Entrant::Sector),
-        ("random", Entrant::Random),
+        ("q", "@2", Entrant::Q),
+        ("q_history", "@2", Entrant::QHistory),
+        ("sarsa_lambda", "@2", Entrant::Sarsa),
+        ("sarsa_lambda_history", "@2", Entrant::SarsaHistory),
+        ("sarsa_lambda_linear", "", Entrant::Linear),
+        ("sarsa_lambda_habits", "", Entrant::Habits),
+        ("told", "", Entrant::Told),
+        ("sector", "", Entrant::Sector),
+        ("random", "", Entrant::Random),
     ];
-    for (name, who) in baselines {
+    for (name, version, who) in baselines {
         for (part, number) in [
             ("", before as fn(&Course) -> f64),
             ("_damaged", |course| course.captures(0, 3)),
@@ -249,7 +277,7 @@ fn camera(of: &Lived<'_>) -> Vec<Claim> {
             };
             all.push(
                 Expectation::new(
-                    format!("baseline.{name}{part}"),
+                    format!("baseline.{name}{part}{version}"),
                     "–",
                     "captures in 3000 actions",
                 )
@@ -287,10 +315,34 @@ fn none(of: &Lived<'_>) -> Vec<Claim> {
         Expectation::new("recover.none.alarms", "7.1.1", "alarms in 16,000 actions")
             .extension()
             .judge(&of.of(Entrant::Both, |it| f64::from(it.alarms[0] + it.alarms[1]))),
+        Expectation::new("recover.none.time_to_recover", "–", "actions")
+            .extension()
+            .rule(Rule::median(Bound::AtMost(0.0)))
+            .note(
+                "both levels with other chance beside their twin: two undamaged lives differ no more \
+                 than the measure allows",
+            )
+            .judge_time(&controls(of.trials, Course::recovered_after)),
+        Expectation::new("recover.none.share", "–", "share of the twin")
+            .extension()
+            .note("captures of the same undamaged lives, 13,000 actions")
+            .judge_ratio(
+                &controls(of.trials, |it, _| it.captures(0, 13)),
+                &of.of_twins(Entrant::Both, 0, 13),
+            ),
     ]
 }
 
-/// In how many damages both levels are ahead of Sarsa(λ) at first.
+/// A number of each seed's undamaged life with other chance, beside its twin.
+fn controls(trials: &[Trial], number: impl Fn(&Course, &Course) -> f64) -> Vec<f64> {
+    let of = |trial: &Trial| {
+        let twin = trial.twin(Entrant::Both);
+        twin.map_or(f64::NAN, |twin| number(&trial.control, twin))
+    };
+    trials.iter().map(of).collect()
+}
+
+/// In how many damages both levels are ahead of the best rival at first.
 fn ahead(options: &RecoverOptions, trials: &[Trial]) -> [Claim; 2] {
     let mut wins = vec![0.0; trials.len()];
     for (index, damage) in options.damages.iter().enumerate() {
@@ -299,19 +351,22 @@ fn ahead(options: &RecoverOptions, trials: &[Trial]) -> [Claim; 2] {
         }
         let of = Lived { trials, index };
         let ours = of.captures(Entrant::Both, 0, 3);
-        let sarsa = of.captures(Entrant::Sarsa, 0, 3);
+        let sarsa = of.captures(Entrant::of(Rival::BEST), 0, 3);
         for (wins, (a, b)) in wins.iter_mut().zip(ours.iter().zip(&sarsa)) {
             *wins += f64::from(u8::from(a > b));
         }
     }
-    let note = "captures of both levels against those of Sarsa(λ), first 3000 damaged actions";
+    let note = format!(
+        "captures of both levels against those of {}, first 3000 damaged actions",
+        Rival::BEST.name()
+    );
     let family = Expectation::new(
-        "recover.family.ahead_after_holm",
+        "recover.family.ahead_after_holm@2",
         "7.1.1",
         "damages that both levels are ahead in",
     );
     let wins_of = Expectation::new(
-        "recover.ahead_of_sarsa@2",
+        "recover.ahead_of_sarsa@3",
         "7.1.1",
         "damages a seed is ahead in",
     );

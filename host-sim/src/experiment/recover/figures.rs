@@ -2,6 +2,7 @@
 
 use super::life::Course;
 use super::options::RecoverOptions;
+use super::rivals::Rival;
 use super::trial::{Entrant, Lived, Trial, entrants};
 use crate::learner::STRIDE;
 use crate::report::figure::{
@@ -114,11 +115,11 @@ const COLUMNS: usize = 4;
 /// Whose courses are drawn.
 const DRAWN: [Entrant; 8] = [
     Entrant::Both,
-    Entrant::Surprise,
-    Entrant::Plain,
-    Entrant::Reliabilities,
+    Entrant::BothNoHabits,
+    Entrant::NoLevel2,
+    Entrant::BothPlain,
+    Entrant::of(Rival::BEST),
     Entrant::Sarsa,
-    Entrant::Q,
     Entrant::Told,
     Entrant::Random,
 ];
@@ -188,7 +189,7 @@ fn performance(of: &Lived<'_>, options: &RecoverOptions) -> Result<Picture, Figu
     let title = "What everybody collects after the camera was turned by 12°";
     let axes = Axes::new(title, "captures in 3000 actions", "").caption(caption);
     let series = ["undamaged", "damaged, 0–3000", "damaged, 10,000–13,000"];
-    row_chart(&axes.sized(900, 760), &series, &rows)
+    row_chart(&axes.sized(900, 860), &series, &rows, None)
 }
 
 fn reliabilities(of: &Lived<'_>, options: &RecoverOptions) -> Result<Picture, FigureError> {

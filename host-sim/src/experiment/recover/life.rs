@@ -6,6 +6,7 @@ use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::num::Rng;
 use serde::{Deserialize, Serialize};
 
+use super::recovery::recovered_at;
 use crate::device::meter::Load;
 use crate::experiment::record::floats;
 use crate::failure::Failure;
@@ -81,24 +82,65 @@ impl Course {
         self.captures(from, to) / (self.rate_before() * f64::from(to - from))
     }
 
-    /// Damaged actions until the last thousand of them brought `share` of what a whole robot
-    /// collects in a thousand; at least 1000, NaN when they never did.
+    /// Captures of each thousand damaged actions; a rest is left out.
     #[must_use]
-    pub fn actions_to(&self, share: f64) -> f64 {
-        let aim = share * self.rate_before();
-        let strides = (WINDOW / STRIDE) as usize;
-        let found = self
-            .after
-            .windows(strides)
-            .position(|window| f64::from(window.iter().sum::<u32>()) >= aim);
-        found.map_or(f64::NAN, |start| {
-            f64::from((start + strides) as u32 * STRIDE)
-        })
+    pub fn windows(&self) -> Vec<u32> {
+        let windows = self.after.chunks_exact((WINDOW / STRIDE) as usize);
+        windows.map(|window| window.iter().sum()).collect()
+    }
+
+    /// Damaged actions until it has recovered what its undamaged twin takes; infinite is never (see
+    /// [`recovery`](super::recovery)).
+    #[must_use]
+    pub fn recovered_after(&self, twin: &Self) -> f64 {
+        let window = recovered_at(&self.windows(), &twin.windows());
+        window.map_or(f64::INFINITY, |it| it as f64 * f64::from(WINDOW))
     }
 }
 
-/// The childhood of a learner: trained in the world of its seed, for as long again in another, as
-/// the second level is (6.2.4), and ready to act; answers what its worst step would have cost.
+/// A childhood by quarters: two in the world of the seed, then two in another, as those of the second
+/// level are (6.2.4).
+pub struct Childhood {
+    worlds: [Pioneer; 2],
+    half: u32,
+    lived: u32,
+}
+
+impl Childhood {
+    /// How many quarters it has.
+    pub const QUARTERS: u32 = 4;
+
+    /// One that has not begun.
+    ///
+    /// # Errors
+    /// [`Failure`] when the world cannot be built.
+    pub fn new(world: &WorldOptions, protocol: &Protocol, seed: u64) -> Result<Self, Failure> {
+        Ok(Self {
+            worlds: [world.build(seed)?, second(world, seed)?],
+            half: protocol.training,
+            lived: 0,
+        })
+    }
+
+    /// Lives the next quarter, after the last as long as the last; answers what its worst step would
+    /// have cost.
+    ///
+    /// # Errors
+    /// [`Failure`] when the learner cannot learn.
+    pub fn quarter(&mut self, learner: &mut dyn Learner) -> Result<Load, Failure> {
+        let actions = if self.lived.is_multiple_of(2) {
+            self.half / 2
+        } else {
+            self.half - self.half / 2
+        };
+        let [first, other] = &mut self.worlds;
+        let world = if self.lived < 2 { first } else { other };
+        self.lived += 1;
+        Ok(live(learner, world, actions)?.load)
+    }
+}
+
+/// The childhood of a learner, so many quarters of it, and ready to act.
 ///
 /// # Errors
 /// [`Failure`] when the world cannot be built or the learner cannot learn.
@@ -107,9 +149,13 @@ pub fn raise(
     world: &WorldOptions,
     protocol: &Protocol,
     seed: u64,
+    quarters: u32,
 ) -> Result<Load, Failure> {
-    let mut load = live(learner, &mut world.build(seed)?, protocol.training)?.load;
-    load.merge(&live(learner, &mut second(world, seed)?, protocol.training)?.load);
+    let mut childhood = Childhood::new(world, protocol, seed)?;
+    let mut load = Load::default();
+    for _ in 0..quarters {
+        load.merge(&childhood.quarter(learner)?);
+    }
     learner.act()?;
     Ok(load)
 }
@@ -201,6 +247,28 @@ pub fn watched_course(
     })
 }
 
+/// The later parts of an undamaged life whose chance is another from the moment on at which damage
+/// comes to others: how far apart two undamaged lives are.
+///
+/// # Errors
+/// [`Failure`] when the world cannot be built or the learner cannot go on.
+pub fn control(
+    learner: &mut dyn Learner,
+    world: &WorldOptions,
+    protocol: &Protocol,
+    seed: u64,
+) -> Result<Course, Failure> {
+    let before = live(learner, &mut fresh(world, seed)?, protocol.before)?;
+    let mut other = world.build(Rng::stream(seed, 7).next_seed())?;
+    let after = live(learner, &mut other, protocol.after)?;
+    Ok(Course {
+        before: before.obtained,
+        after: after.obtained,
+        predictions: [f64::NAN; 2],
+        ..Course::default()
+    })
+}
+
 /// The share of the predictions between two counts of (right ones, all).
 fn came_true(from: (u32, u32), to: (u32, u32)) -> f64 {
     f64::from(to.0 - from.0) / f64::from(to.1 - from.1)
@@ -217,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn a_course_is_read_in_thousands_and_recovery_needs_a_whole_one() {
+    fn a_course_is_read_in_thousands() {
         let course = Course {
             before: vec![2; 120],
             after: [vec![0; 40], vec![1; 40], vec![2; 40]].concat(),
@@ -227,8 +295,7 @@ mod tests {
         assert_eq!(course.captures(0, 3), 120.0);
         assert_eq!(course.share(0, 3), 0.5);
         assert!(course.captures(3, 6).is_nan());
-        // 72 of 80 in a thousand: 32 strides of 2 and 8 of 1.
-        assert_eq!(course.actions_to(0.9), 2800.0);
-        assert!(course.actions_to(1.1).is_nan());
+        assert_eq!(course.windows(), [0, 40, 80]);
+        assert_eq!(course.recovered_after(&course), f64::INFINITY);
     }
 }

@@ -1,14 +1,18 @@
 //! Damage and recovery: a robot whose camera was knocked, and what it makes of it (book, 6.3, 7.1.1).
 //!
-//! `life` is the protocol, `trial` one seed of it for everybody who takes part, `claims` what is
-//! concluded, `figures` what is drawn; `film` and `replay` show one robot's life.
+//! `life` is the protocol, `trial` one seed of it for everybody who takes part, `rivals` how the others
+//! were tuned, `recovery` what it is to recover, `claims` what is concluded, `figures` and `forest`
+//! what is drawn; `film` and `replay` show one robot's life.
 
 mod claims;
 mod figures;
 pub mod film;
+mod forest;
 pub mod life;
 mod options;
+pub mod recovery;
 mod replay;
+pub mod rivals;
 mod tables;
 mod trial;
 
@@ -63,15 +67,18 @@ impl Experiment for Recover {
         let first = options.damages.first().map(Damage::id).unwrap_or_default();
         let id = |name: &str| format!("recover.{first}.{name}");
         let mut results = results.headline(
-            "captures in the first 3000 damaged actions, as a share of before",
+            "captures in the first 3000 damaged actions, as a share of an undamaged twin's",
             &[
                 ("both levels with habits", &id("relearn_3000")),
                 ("without habits", &id("no_habits_3000")),
+                ("without surprise", &id("plain_3000")),
+                ("without level 2", &id("no_level2_3000")),
                 ("level 1", &id("level1_3000")),
             ],
         );
         results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
-        for (name, picture) in figures::all(options, trials)? {
+        let drawn = forest::all(options, trials)?.into_iter();
+        for (name, picture) in drawn.chain(figures::all(options, trials)?) {
             results = results.picture(&name, picture);
         }
         let first = options

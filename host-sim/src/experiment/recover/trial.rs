@@ -8,11 +8,11 @@ use cla_core::word::Cost;
 use serde::{Deserialize, Serialize};
 
 use super::film::Film;
-use super::life::{Course, Protocol, course, fresh, grown, raise};
+use super::life::{Course, Protocol, control, course, fresh, grown, raise};
 use super::options::RecoverOptions;
+use super::rivals::{Rival, Tuned};
 use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
-use crate::baseline::tabular::{Tabular, TabularConfig};
 use crate::baseline::told::Told;
 use crate::device::meter::Load;
 use crate::failure::Failure;
@@ -32,6 +32,8 @@ pub enum Entrant {
     Both,
     /// The same without habits.
     BothNoHabits,
+    /// The same without the second level: schemas of level 1, habits, surprise.
+    NoLevel2,
     /// Both levels, re-learning without surprise.
     BothPlain,
     /// Both levels; the second is overloaded while its predictions are worse than they were (6.3).
@@ -48,11 +50,15 @@ pub enum Entrant {
     Frozen,
     /// Sarsa(λ).
     Sarsa,
-    /// Sarsa(λ) with one step of history.
+    /// Sarsa(λ) with history.
     SarsaHistory,
+    /// Sarsa(λ) with linear values of items.
+    Linear,
+    /// Sarsa(λ) with linear values of what habits see.
+    Habits,
     /// Q-learning.
     Q,
-    /// Q-learning with one step of history.
+    /// Q-learning with history.
     QHistory,
     /// A servo that is told of the damage.
     Told,
@@ -64,10 +70,11 @@ pub enum Entrant {
 
 impl Entrant {
     /// Everybody.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 19] = [
         Self::Both,
         Self::BothNoHabits,
         Self::BothPlain,
+        Self::NoLevel2,
         Self::BothMean,
         Self::BothValue,
         Self::Surprise,
@@ -76,6 +83,8 @@ impl Entrant {
         Self::Frozen,
         Self::Sarsa,
         Self::SarsaHistory,
+        Self::Linear,
+        Self::Habits,
         Self::Q,
         Self::QHistory,
         Self::Told,
@@ -84,16 +93,49 @@ impl Entrant {
     ];
 
     /// Those whom every damage meets; the book's damage meets everybody.
-    pub const FEW: [Self; 8] = [
+    pub const FEW: [Self; 14] = [
         Self::Both,
         Self::BothNoHabits,
         Self::BothPlain,
+        Self::NoLevel2,
         Self::Surprise,
         Self::Plain,
         Self::Sarsa,
+        Self::SarsaHistory,
+        Self::Linear,
+        Self::Habits,
+        Self::Q,
+        Self::QHistory,
         Self::Told,
         Self::Random,
     ];
+
+    /// Who was tuned as a rival, and is raised as suits it best.
+    #[must_use]
+    pub const fn rival(self) -> Option<Rival> {
+        match self {
+            Self::Sarsa => Some(Rival::Sarsa),
+            Self::SarsaHistory => Some(Rival::SarsaHistory),
+            Self::Linear => Some(Rival::Linear),
+            Self::Habits => Some(Rival::Habits),
+            Self::Q => Some(Rival::Q),
+            Self::QHistory => Some(Rival::QHistory),
+            _ => None,
+        }
+    }
+
+    /// The rival as it takes part.
+    #[must_use]
+    pub const fn of(rival: Rival) -> Self {
+        match rival {
+            Rival::Sarsa => Self::Sarsa,
+            Rival::SarsaHistory => Self::SarsaHistory,
+            Rival::Linear => Self::Linear,
+            Rival::Habits => Self::Habits,
+            Rival::Q => Self::Q,
+            Rival::QHistory => Self::QHistory,
+        }
+    }
 
     /// Its name in tables and figures.
     #[must_use]
@@ -102,16 +144,19 @@ impl Entrant {
             Self::Both => "CLA, two levels, surprise",
             Self::BothNoHabits => "CLA, two levels, surprise, no habits",
             Self::BothPlain => "CLA, two levels, re-learning",
+            Self::NoLevel2 => "CLA, one level, habits, surprise",
             Self::BothMean => "CLA, two levels, fallback by mean",
             Self::BothValue => "CLA, two levels, fallback by value",
             Self::Surprise => "CLA, surprise",
             Self::Plain => "CLA, re-learning",
             Self::Reliabilities => "CLA, reliabilities only",
             Self::Frozen => "CLA, frozen",
-            Self::Sarsa => "Sarsa(λ)",
-            Self::SarsaHistory => "Sarsa(λ), history",
-            Self::Q => "Q-learning",
-            Self::QHistory => "Q-learning, history",
+            Self::Sarsa => Rival::Sarsa.name(),
+            Self::SarsaHistory => Rival::SarsaHistory.name(),
+            Self::Linear => Rival::Linear.name(),
+            Self::Habits => Rival::Habits.name(),
+            Self::Q => Rival::Q.name(),
+            Self::QHistory => Rival::QHistory.name(),
             Self::Told => "servo, told",
             Self::Sector => "servo, not told",
             Self::Random => "random",
@@ -124,6 +169,10 @@ impl Entrant {
 pub struct Trial {
     /// In the order of the damages of the options.
     pub damages: Vec<Vec<(Entrant, Course)>>,
+    /// The same learners in the same rooms with the same chance, and nothing happens.
+    pub twins: Vec<(Entrant, Course)>,
+    /// Both levels once more, undamaged, from the same moment on with other chance.
+    pub control: Course,
     /// Captures of 28 in 3000 actions with the first damage: frozen, and after the reliabilities
     /// have adapted; counted as the book counts.
     pub removed: [u32; 2],
@@ -137,12 +186,19 @@ impl Trial {
     /// The course of one entrant with one damage.
     #[must_use]
     pub fn course(&self, damage: usize, who: Entrant) -> Option<&Course> {
-        let entrants = self.damages.get(damage)?;
-        entrants
-            .iter()
-            .find(|(it, _)| *it == who)
-            .map(|(_, course)| course)
+        course_of(self.damages.get(damage)?, who)
     }
+
+    /// The undamaged course of the same learner.
+    #[must_use]
+    pub fn twin(&self, who: Entrant) -> Option<&Course> {
+        course_of(&self.twins, who)
+    }
+}
+
+fn course_of(all: &[(Entrant, Course)], who: Entrant) -> Option<&Course> {
+    let found = all.iter().find(|(it, _)| *it == who);
+    found.map(|(_, course)| course)
 }
 
 /// Who meets a damage.
@@ -153,12 +209,23 @@ pub(super) fn entrants(damage: &Damage) -> &'static [Entrant] {
     }
 }
 
+/// Who has a twin: everybody who meets one of the damages.
+fn with_twins(options: &RecoverOptions) -> &'static [Entrant] {
+    let longest = options
+        .damages
+        .iter()
+        .map(entrants)
+        .max_by_key(|it| it.len());
+    longest.unwrap_or(&[])
+}
+
 /// How many actions one seed takes, for the progress bar.
 #[must_use]
 pub(super) fn work(options: &RecoverOptions) -> u64 {
     let Protocol { before, after, .. } = options.protocol;
-    let courses: usize = options.damages.iter().map(|it| entrants(it).len()).sum();
-    courses as u64 * u64::from(before + after)
+    let hurt = options.damages.iter().filter(|it| **it != Damage::None);
+    let courses: usize = hurt.map(|it| entrants(it).len()).sum();
+    (courses + with_twins(options).len() + 1) as u64 * u64::from(before + after)
 }
 
 /// Runs one seed.
@@ -200,53 +267,67 @@ pub(super) fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Resul
         })?;
         Ok(Box::new(it.acting(Adaptation::Relearning, surprise)?))
     };
-    let tabular = |config| -> Result<Tabular, Failure> {
-        let mut learner = Tabular::new(config, seed);
-        raise(&mut learner, world, protocol, seed)?;
-        Ok(learner)
+    let no_level2 = AgentConfig {
+        level2: None,
+        ..AgentConfig::FORAGER_LEVEL2
     };
-    let (sarsa, sarsa_history) = (
-        tabular(TabularConfig::SARSA)?,
-        tabular(TabularConfig::SARSA_HISTORY)?,
-    );
-    let (q, q_history) = (
-        tabular(TabularConfig::Q)?,
-        tabular(TabularConfig::Q_HISTORY)?,
-    );
+    let one_level = grown(no_level2, world, protocol, seed, &mut load)?;
+    let mut rivals = Vec::new();
+    for rival in Rival::ALL {
+        let Tuned { setup, quarters } = rival.tuned();
+        let mut learner = setup.newborn(world, seed)?;
+        raise(&mut *learner, world, protocol, seed, quarters)?;
+        rivals.push((rival, learner));
+    }
     let forward = world.config.forward;
     let enter = |who| -> Result<Box<dyn Learner>, Failure> {
         let surprise = AgentConfig::RESILIENT.surprise;
+        let rival = rivals.iter().find(|(it, _)| Entrant::of(*it) == who);
+        if let Some((_, learner)) = rival {
+            return Ok(learner.copy());
+        }
         Ok(match who {
             Entrant::Both => with(Fallback::Never, surprise)?,
             Entrant::BothNoHabits => Box::new(without.acting(Adaptation::Relearning, surprise)?),
             Entrant::BothPlain => with(Fallback::Never, None)?,
+            Entrant::NoLevel2 => Box::new(one_level.acting(Adaptation::Relearning, surprise)?),
             Entrant::BothMean => with(Fallback::MeanReliability(OVERLOADED), None)?,
             Entrant::BothValue => with(Fallback::ValueThenReliability, None)?,
             Entrant::Surprise => Box::new(forager.acting(Adaptation::Relearning, surprise)?),
             Entrant::Plain => Box::new(forager.acting(Adaptation::Relearning, None)?),
             Entrant::Reliabilities => Box::new(forager.acting(Adaptation::Reliabilities, None)?),
             Entrant::Frozen => Box::new(Freezing(forager.acting(Adaptation::Reliabilities, None)?)),
-            Entrant::Sarsa => Box::new(sarsa.clone()),
-            Entrant::SarsaHistory => Box::new(sarsa_history.clone()),
-            Entrant::Q => Box::new(q.clone()),
-            Entrant::QHistory => Box::new(q_history.clone()),
             Entrant::Told => Box::new(Told::new(forward, seed)),
             Entrant::Sector => Box::new(Untaught::new(Sector::new(forward), seed)),
-            Entrant::Random => Box::new(Untaught::new(Random { actions: 6 }, seed)),
+            // The rivals have been found above.
+            _ => Box::new(Untaught::new(Random { actions: 6 }, seed)),
         })
     };
     let mut trial = Trial {
         load,
         ..Trial::default()
     };
+    let step = u64::from(protocol.before + protocol.after);
+    for &who in with_twins(options) {
+        let twin = course(&mut *enter(who)?, world, protocol, Damage::None, seed)?;
+        trial.load.merge(&twin.load);
+        trial.twins.push((who, twin));
+        ticker.advance(step);
+    }
+    trial.control = control(&mut *enter(Entrant::Both)?, world, protocol, seed)?;
+    ticker.advance(step);
     for (index, &damage) in options.damages.iter().enumerate() {
         let mut lived = Vec::new();
         for &who in entrants(&damage) {
+            if let (Damage::None, Some(twin)) = (damage, trial.twin(who)) {
+                lived.push((who, twin.clone()));
+                continue;
+            }
             let mut learner = enter(who)?;
             let course = course(&mut *learner, world, protocol, damage, seed)?;
             trial.load.merge(&course.load);
             lived.push((who, course));
-            ticker.advance(u64::from(protocol.before + protocol.after));
+            ticker.advance(step);
             let place = match who {
                 _ if index > 0 => None,
                 Entrant::Frozen => Some(0),
@@ -340,12 +421,25 @@ impl Lived<'_> {
     pub(super) fn captures(&self, who: Entrant, from: u32, to: u32) -> Vec<f64> {
         self.of(who, |course| course.captures(from, to))
     }
+
+    /// What the twins capture meanwhile.
+    pub(super) fn of_twins(&self, who: Entrant, from: u32, to: u32) -> Vec<f64> {
+        let captures = |it: &Course| it.captures(from, to);
+        let of = |trial: &Trial| trial.twin(who).map_or(f64::NAN, captures);
+        self.trials.iter().map(of).collect()
+    }
+
+    /// Actions until each has recovered; infinite is never, NaN for who did not take part.
+    pub(super) fn times(&self, who: Entrant) -> Vec<f64> {
+        let of = |trial: &Trial| match (trial.course(self.index, who), trial.twin(who)) {
+            (Some(course), Some(twin)) => course.recovered_after(twin),
+            _ => f64::NAN,
+        };
+        self.trials.iter().map(of).collect()
+    }
 }
 
 /// Captures before the damage.
 pub(super) fn before(course: &Course) -> f64 {
     f64::from(course.before.iter().sum::<u32>())
 }
-
-/// What stands for "never" among actions: longer than any life.
-pub(super) const NEVER: f64 = 99_999.0;

@@ -36,7 +36,8 @@ impl Row {
     }
 }
 
-/// Rows below each other, with what each mark is above them.
+/// Rows below each other, with what each mark is above them; `upright` is a place to compare with,
+/// such as 1 of ratios.
 ///
 /// # Errors
 /// [`FigureError`] without a finite number.
@@ -45,11 +46,16 @@ impl Row {
 /// use host_sim::report::figure::{Axes, Row, row_chart};
 /// let rows = [Row::means_of("Sarsa(λ)", &[vec![120.0, 130.0], vec![250.0, 240.0]])];
 /// let axes = Axes::new("Captures", "captures in 3000 actions", "").x(0.0, 300.0);
-/// let picture = row_chart(&axes, &["first", "last"], &rows)?;
+/// let picture = row_chart(&axes, &["first", "last"], &rows, None)?;
 /// assert!(picture.svg.contains("Sarsa(λ)"));
 /// # Ok::<(), host_sim::report::figure::FigureError>(())
 /// ```
-pub fn row_chart(axes: &Axes, series: &[&str], rows: &[Row]) -> Result<Picture, FigureError> {
+pub fn row_chart(
+    axes: &Axes,
+    series: &[&str],
+    rows: &[Row],
+    upright: Option<f64>,
+) -> Result<Picture, FigureError> {
     let points: Vec<Point> = rows
         .iter()
         .flat_map(|row| row.values.iter().flatten())
@@ -84,6 +90,9 @@ pub fn row_chart(axes: &Axes, series: &[&str], rows: &[Row]) -> Result<Picture, 
             bottom: area.bottom - 24,
         };
         let plot = Plot::upright_only(page, around, scales)?;
+        if let Some(x) = upright {
+            plot.upright(x, Stroke::reference())?;
+        }
         let tall = plot.inner.height() / rows.len().max(1) as i32;
         for (index, row) in rows.iter().enumerate() {
             let middle = plot.inner.top + tall * index as i32 + tall / 2;
@@ -125,7 +134,7 @@ mod tests {
     fn rows_of_nothing_but_zeros_are_drawn_and_rows_without_a_number_are_not() {
         let axes = Axes::new("t", "captures", "");
         let rows = |value: f64| [Row::means_of("a", &[vec![value]])];
-        assert!(row_chart(&axes, &["first"], &rows(0.0)).is_ok());
-        assert!(row_chart(&axes, &["first"], &rows(f64::NAN)).is_err());
+        assert!(row_chart(&axes, &["first"], &rows(0.0), None).is_ok());
+        assert!(row_chart(&axes, &["first"], &rows(f64::NAN), None).is_err());
     }
 }
