@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use cla_tests::root;
 use clap::Parser;
-use host_sim::cli::Cli;
+use host_sim::cli::{Cli, Command};
 use host_sim::options::Order;
 use serde_json::Value;
 
@@ -234,6 +234,12 @@ fn judge(command: &str, firmware: bool) -> Result<bool, String> {
     };
     let cli = Cli::try_parse_from([&["host-sim"], arguments].concat());
     let cli = cli.map_err(|error| error.to_string())?;
+    if let Some(Command::Errand(errand)) = &cli.command {
+        let training = host_sim::options::training(errand);
+        return training
+            .map(|_| true)
+            .map_err(|impossible| impossible.to_string());
+    }
     Order::new(&cli)
         .map(|_| true)
         .map_err(|impossible| impossible.to_string())
