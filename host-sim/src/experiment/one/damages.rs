@@ -4,12 +4,14 @@
 
 use super::measured::Trial;
 use super::options::OneOptions;
-use super::pioneer::{Raised, TEST, TRAINING, fresh, newborn, raise, room};
-use crate::baseline::tabular::{Tabular, TabularConfig};
+use super::pioneer::{Raised, TEST, TRAINING, fresh, newborn, room, second};
+use crate::experiment::recover::rivals::Rival;
 use crate::failure::Failure;
 use crate::learner::{Learner, live};
+use crate::world::config::PioneerConfig;
 use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::{ACTIONS, ITEMS};
+use crate::world::setting::WorldOptions;
 
 /// Actions of one number of a course.
 const THOUSAND: u32 = 1000;
@@ -91,15 +93,26 @@ pub(super) fn lives(
         let captures = course(&mut learner, 0, damage, COURSE, options, seed)?;
         trial.note_all(name(&id, "newborn"), captures);
     }
-    for (who, config) in [
-        ("sarsa", TabularConfig::SARSA),
-        ("history", TabularConfig::SARSA_HISTORY),
-    ] {
-        let mut rival = Tabular::new(config, seed);
-        raise(&mut rival, options.length(TRAINING), seed)?;
+    let noisy = WorldOptions {
+        config: PioneerConfig::NOISY,
+        layout: None,
+    };
+    for (who, config) in [("sarsa", Rival::Sarsa), ("history", Rival::SarsaHistory)] {
+        let tuned = config.tuned();
+        let mut rival = tuned.setup.newborn(&noisy, seed)?;
+        // As it was tuned: two quarters of a childhood in the first room, then as many in another.
+        let quarter = options.length(TRAINING) / 4;
+        let first = tuned.quarters.min(2);
+        live(&mut *rival, &mut room(seed)?, first * quarter)?;
+        live(
+            &mut *rival,
+            &mut room(second(seed))?,
+            (tuned.quarters - first) * quarter,
+        )?;
+        rival.act()?;
         for (id, damage) in all()? {
-            let mut rival = rival.clone();
-            let captures = course(&mut rival, before, damage, FIRST, options, seed)?;
+            let mut rival = rival.copy();
+            let captures = course(&mut *rival, before, damage, FIRST, options, seed)?;
             trial.note_all(name(&id, who), captures);
         }
     }

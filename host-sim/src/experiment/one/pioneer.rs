@@ -45,7 +45,7 @@ pub(super) fn room(seed: u64) -> Result<Pioneer, Failure> {
 }
 
 /// The room of the second half of a training.
-fn second(seed: u64) -> u64 {
+pub(super) fn second(seed: u64) -> u64 {
     Rng::stream(seed, 4).next_seed()
 }
 
@@ -76,7 +76,7 @@ pub(super) fn newborn(bump: f32, seed: u64) -> Result<ForagerMind, Failure> {
 ///
 /// # Errors
 /// Those of the learner.
-pub(super) fn raise(learner: &mut dyn Learner, actions: u32, seed: u64) -> Result<(), Failure> {
+fn raise(learner: &mut dyn Learner, actions: u32, seed: u64) -> Result<(), Failure> {
     live(learner, &mut room(seed)?, actions / 2)?;
     live(learner, &mut room(second(seed))?, actions / 2)?;
     learner.act()
