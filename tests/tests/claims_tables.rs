@@ -21,6 +21,7 @@ fn tables() -> Vec<(String, String, String)> {
             let name = path.file_stem().expect("a name").to_string_lossy();
             let document = match &*name {
                 "findings" => "README.md".to_owned(),
+                "one-brain" => "docs/one-brain.md".to_owned(),
                 page => format!("docs/findings/{page}.md"),
             };
             let template = fs::read_to_string(&path).expect("a template can be read");

@@ -15,7 +15,9 @@ use cla_core::adaptation::*;
 use cla_core::agent::*;
 use cla_core::check::{Config, ConfigError};
 use cla_core::choice::*;
-use cla_core::forager::pioneer::{Action, Brain, Percept, VOCABULARY, be_born};
+use cla_core::forager::pioneer::{
+    Action, Brain, Item, Percept, VOCABULARY, be_born, goal, percept,
+};
 use cla_core::forager::small;
 use cla_core::forest::{self, Actions, Deliberation, MindConfig, MindError};
 use cla_core::growth::*;
@@ -245,7 +247,7 @@ entries! {
         config.check()?;
         be_born(brain, config, seed)
     }
-    "action_of" (id: ActionId) -> Option<Action> { Action::of(id) }
+    "named" (id: ActionId, on: bool) -> Option<bool> { Action::of(id).and(goal(&[Item::s1], &[Item::bump]).truth(&percept(|_| on))) }
     "be_born_with" (brain: &mut Agent6, config: AgentConfig, seed: u64) -> Result<(), ConfigError> { brain.be_born(config, &[(ItemId(1), 1.0)], seed) }
     "reconfigure" (brain: &mut Agent6, config: AgentConfig) -> Result<(), ConfigError> { brain.reconfigure(config) }
     "choose" (brain: &mut Agent6, now: &Percept) -> Result<Choice, AgentError> { brain.choose(now) }
@@ -298,9 +300,8 @@ entries! {
     }
     "knowledge_read" (it: &mut Tables, pattern: PatternId) -> Option<SignedItems<1>> {
         let found = it.pattern(pattern).or(it.pattern(it.schemas().last()?.context));
-        let some = it.patterns() > 3;
         it.forget_schemas();
-        found.filter(|_| some)
+        found.filter(|_| it.patterns() > 3)
     }
     "knowledge_values" (it: &mut Tables, now: &Percept, items: &SignedItems<1>, config: &ValueConfig) -> f32 {
         let [first, ..] = it.expected_values::<6>(now, config);
