@@ -1,5 +1,5 @@
 //! The forager behind veils and among distractors: what an item, a share of the readings, or twenty
-//! items that blink cost today's brain and Sarsa(λ).
+//! items that blink cost both levels and Sarsa(λ).
 //!
 //! `cargo run --release -p host-sim --example veils -- [SEEDS]`, seeds from 0 on (10).
 //! Both levels train for 20,000 actions behind the veil and act for 3000 more, as in `recover`; shown

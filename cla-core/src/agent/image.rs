@@ -9,7 +9,9 @@ use crate::knowledge::KnowledgeBase;
 use crate::level2::SecondLevel;
 use crate::map::ActionSom;
 use crate::num::Rng;
-use crate::snapshot::{Limits, Profile, Reader, Snapshot, Stored, Writer, check_field, check_that};
+use crate::snapshot::{
+    Limits, Profile, Reader, Snapshot, Stored, Writer, check_fields, restore_fields, store_fields,
+};
 use crate::som::Prototypes;
 
 /// Sections before the maps, of which each is one.
@@ -40,40 +42,6 @@ macro_rules! life {
             faculties.practised,
             bank.scratch.cost,
         }
-    };
-}
-
-macro_rules! store {
-    (($it:expr, $to:expr); $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
-        $(store!(@ $it, $to, ($($part).+) $($test)?);)*
-    }};
-    (@ $it:expr, $to:expr, ($($part:ident).+) $($test:expr)?) => {
-        let part = &$it.$($part).+;
-        part.store($to);
-        $($to.require($test(part));)?
-    };
-}
-
-macro_rules! restore {
-    (($it:expr, $from:expr); $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
-        $(restore!(@ $it, $from, ($($part).+) $($test)?);)*
-    }};
-    (@ $it:expr, $from:expr, ($($part:ident).+) $($test:expr)?) => {
-        let part = &mut $it.$($part).+;
-        part.restore($from);
-        $($from.require($test(part));)?
-    };
-}
-
-macro_rules! check {
-    ($from:expr; $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
-        $(check!(@ $from, ($($part).+) $($test)?);)*
-    }};
-    (@ $from:expr, ($($part:ident).+)) => {
-        check_field(|it: &Self| &it.$($part).+, $from)
-    };
-    (@ $from:expr, ($($part:ident).+) $test:expr) => {
-        check_that(|it: &Self| &it.$($part).+, $test, $from)
     };
 }
 
@@ -122,7 +90,7 @@ impl<
             0 => self.faculties.knowledge.store(to),
             1 => self.faculties.level2.store(to),
             2 => self.faculties.habits.store(to),
-            3 => life!(store, (self, to)),
+            3 => life!(store_fields, (self, to)),
             _ => {
                 if let Some(map) = self.bank.maps().get(number - BEFORE_MAPS) {
                     map.store(to);
@@ -136,7 +104,7 @@ impl<
             0 => KnowledgeBase::<WORDS, PATTERNS, SCHEMAS>::check(from),
             1 => SecondLevel::<ACTIONS, SYNTHETIC, BELIEFS>::check(from),
             2 => Habits::<WORDS, ITEMS, ACTIONS, SYNTHETIC>::check(from),
-            3 => life!(check, from),
+            3 => life!(check_fields, from),
             _ => ActionSom::<WIDTH, HEIGHT, ITEMS, M>::check(from),
         }
     }
@@ -146,7 +114,7 @@ impl<
             0 => self.faculties.knowledge.restore(from),
             1 => self.faculties.level2.restore(from),
             2 => self.faculties.habits.restore(from),
-            3 => life!(restore, (self, from)),
+            3 => life!(restore_fields, (self, from)),
             _ => {
                 if let Some(map) = self.bank.maps.get_mut(number - BEFORE_MAPS) {
                     map.restore(from);

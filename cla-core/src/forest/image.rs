@@ -6,7 +6,9 @@ use super::sarsa::Sarsa;
 use super::trees::Forest;
 use crate::num::Rng;
 use crate::reason::Reasoning;
-use crate::snapshot::{Limits, Profile, Reader, Snapshot, Stored, Writer, check_field, check_that};
+use crate::snapshot::{
+    Limits, Profile, Reader, Snapshot, Stored, Writer, check_fields, restore_fields, store_fields,
+};
 
 /// The fields of the section "life", each with what it may be.
 macro_rules! life {
@@ -35,32 +37,6 @@ macro_rules! life {
             stroll,
             said,
         }
-    };
-}
-
-macro_rules! store {
-    (($it:expr, $to:expr); $($part:ident $(if $test:expr)?),* $(,)?) => {{ $(
-        $it.$part.store($to);
-        $($to.require($test(&$it.$part));)?
-    )* }};
-}
-
-macro_rules! restore {
-    (($it:expr, $from:expr); $($part:ident $(if $test:expr)?),* $(,)?) => {{ $(
-        $it.$part.restore($from);
-        $($from.require($test(&$it.$part));)?
-    )* }};
-}
-
-macro_rules! check {
-    ($from:expr; $($part:ident $(if $test:expr)?),* $(,)?) => {{
-        $(check!(@ $from, $part $(, $test)?);)*
-    }};
-    (@ $from:expr, $part:ident) => {
-        check_field(|it: &Self| &it.$part, $from)
-    };
-    (@ $from:expr, $part:ident, $test:expr) => {
-        check_that(|it: &Self| &it.$part, $test, $from)
     };
 }
 
@@ -108,7 +84,7 @@ impl<
             1 => self.habits.store(to),
             2 => self.model.store(to),
             3 => self.reason.store(to),
-            _ => life!(store, (self, to)),
+            _ => life!(store_fields, (self, to)),
         }
     }
 
@@ -118,7 +94,7 @@ impl<
             1 => Sarsa::<WORDS, ITEMS, ACTIONS, ROWS>::check(from),
             2 => Model::<ACTIONS, STATES, LINKS>::check(from),
             3 => R::check(from),
-            _ => life!(check, from),
+            _ => life!(check_fields, from),
         }
     }
 
@@ -128,7 +104,7 @@ impl<
             1 => self.habits.restore(from),
             2 => self.model.restore(from),
             3 => self.reason.restore(from),
-            _ => life!(restore, (self, from)),
+            _ => life!(restore_fields, (self, from)),
         }
     }
 

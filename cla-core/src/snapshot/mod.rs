@@ -26,6 +26,7 @@ mod limits;
 mod port;
 mod reader;
 mod refusal;
+mod section;
 mod stored;
 mod writer;
 
@@ -36,6 +37,7 @@ pub(crate) use limits::{LARGEST, LARGEST_COUNT, LARGEST_VALUE};
 pub use port::{Sink, SinkFull, SliceSink, Source, SourceEnd};
 pub use reader::Reader;
 pub use refusal::{LoadError, SaveError};
+pub(crate) use section::{check_fields, restore_fields, store_fields};
 pub use stored::Stored;
 pub(crate) use stored::{Codes, check_field, check_that, stored, stored_as, stored_codes};
 pub use writer::Writer;

@@ -74,7 +74,7 @@ pub struct TabularConfig {
 }
 
 impl TabularConfig {
-    /// The best Sarsa(λ) of the grid in the head of this module.
+    /// The best Sarsa(λ) of the earlier grid.
     pub const SARSA: Self = Self {
         method: Method::Sarsa(Traces::Replacing),
         history: History::None,

@@ -21,7 +21,7 @@ pub(super) fn all(
             sample(&options.seeds)
         );
         let axes = Axes::new(
-            "Claim: one learner does in every world what its specialist does",
+            "What one learner reaches in every world, over what is asked",
             "",
             "reached, over what is asked",
         );
@@ -32,11 +32,11 @@ pub(super) fn all(
         let bars: Vec<Bar> = ids().iter().map(|id| damage(trials, id)).collect();
         let caption = format!(
             "{}. Bars: mean; error bars: standard deviation. Beside each the better of tabular \
-             Sarsa(λ) on percepts and with one step of history, trained as long.",
+             Sarsa(λ) on percepts and with one step of history, each trained as long as suits it best.",
             sample(&options.seeds)
         );
         let axes = Axes::new(
-            "Claim: after a damage it is ahead of Sarsa(λ) wherever a newborn finds its feet",
+            "Captures after each damage, beside the better of two kinds of Sarsa(λ)",
             "",
             "captures in the first 3000 damaged actions",
         );

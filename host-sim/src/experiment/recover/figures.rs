@@ -86,9 +86,7 @@ fn curve(
             })
         })
         .collect();
-    let title = format!(
-        "Claim: with both levels and surprise captures come back after the damage {damage}"
-    );
+    let title = format!("What everybody captures before and after the damage {damage}");
     let caption = format!(
         "{}. Line: mean; band: 95 % interval of the mean, from seed to seed. Each point is 1000 \
          actions; the damage comes at 0. {}.",
