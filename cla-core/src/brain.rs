@@ -82,7 +82,8 @@ pub mod message {
 ///
 /// The keys may stand in any order: `items`, `actions`, `values` (negative for harm), `samples`, `ram`,
 /// and `imagines` for a brain that plans: so many states it imagines at once, with schemas that foresee
-/// them ([`Reason`](crate::reason::Reason)), and it can [`pursue`](crate::forest::Mind::pursue) a goal.
+/// them ([`Reason`](crate::reason::Reason)), and it can [`pursue`](crate::forest::Mind::pursue) a goal;
+/// it cannot be saved yet.
 /// A key that is missing is named, one that is unknown or stands twice is pointed at, and so is a
 /// value of something that is no item.
 ///
@@ -395,7 +396,7 @@ macro_rules! brain {
                     let value: f32 = $value;
                     assert!(
                         value >= -$crate::forest::MOST_REWARD && value <= $crate::forest::MOST_REWARD,
-                        concat!("the value of `", stringify!($valued), "` is not within a million")
+                        concat!("the value of `", stringify!($valued), "` is not within ten thousand")
                     );
                 )+
             };

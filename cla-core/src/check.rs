@@ -10,7 +10,7 @@ use core::ops::Deref;
 use crate::snapshot::{LARGEST, LARGEST_VALUE};
 
 /// The numbers that a field may hold; NaN, infinity and what lies beyond 10²⁰ never are among them:
-/// sums and products of such numbers stay finite.
+/// sums of such numbers stay finite.
 ///
 /// ```
 /// use cla_core::check::Range;

@@ -135,7 +135,7 @@ fn what_cannot_be_so_is_dropped_and_the_rest_lives_on() {
         let (mut brain, mut ring) = learned(true);
         assert!(brain.second_level().beliefs().len() > 3);
         damage(&mut brain);
-        assert!(!is_sound(&brain) || index == 6, "{index} is saved");
+        assert!(!is_sound(&brain), "{index} is saved");
         assert!(matches!(brain.audit(), Audit::Mended(_)), "{index}");
         assert!(is_sound(&brain), "{index}");
         assert_eq!(brain.audit(), Audit::Sound, "{index}");

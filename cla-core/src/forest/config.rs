@@ -113,7 +113,8 @@ pub enum Doubting {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MindConfig {
-    /// Share of random actions while training, in `[0, 1]`.
+    /// Share of random actions while training, in `[0, 1]`; with a reason they come twenty in a row and
+    /// are 20 p / (20 + 19 p) of all.
     pub exploring: f32,
     /// The same afterwards.
     pub exploring_acting: f32,

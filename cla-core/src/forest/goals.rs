@@ -97,7 +97,7 @@ impl<
         &self.reason
     }
 
-    /// Why the last action was chosen; `None` before any.
+    /// Why the last action was chosen; `None` before any, and once what came of it was learned.
     ///
     /// What reason foresees of it is told as one schema; where it foresees nothing, the context is
     /// that of the newest tree's leaf.

@@ -595,6 +595,7 @@ impl<
         self.forest.remember(sample);
         self.before = *seen;
         self.last = action;
+        self.said = None;
     }
 }
 

@@ -3,7 +3,8 @@
 //! A stretch of the memory is gone through from its last sample to its first, so that what was felt
 //! at its end reaches its beginning at once; what was felt and the best that is known of the next
 //! moment are mixed as in Q(λ) (Peng and Williams 1996).
-//! After a doubt the samples of the world as it is are replayed alone, as soon as there are some.
+//! After a doubt every replay ends in what was lived since, as soon as there is some; it goes on into
+//! what was before where that is less than a stretch back.
 
 use super::memory::Memory;
 use super::sarsa::{Replaying, Sarsa, Scene};

@@ -136,3 +136,15 @@ fn what_is_asked_is_bounded_by_what_there_is() {
     );
     assert_eq!(replay(&mut habits, &memory, &all(), 4, 0, &HOW), 0);
 }
+
+#[test]
+fn what_fades_keeps_its_share_whatever_it_is_a_value_of() {
+    let (mut habits, memory) = (born(), walked(1.0));
+    for _ in 0..50 {
+        replay(&mut habits, &memory, &all(), 4, 5, &HOW);
+    }
+    let known = worth(&habits, &memory, 4)[1];
+    habits.fade(0.3);
+    let kept = worth(&habits, &memory, 4)[1];
+    assert!((kept - 0.3 * known).abs() < 1e-5, "{known} {kept}");
+}

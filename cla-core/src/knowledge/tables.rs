@@ -5,7 +5,7 @@
 
 use super::reliability::{Estimate, Reliability};
 use super::schema::{NONE, PatternId, Schema, SchemaId};
-use crate::snapshot::stored;
+use crate::snapshot::{LARGEST_VALUE, stored};
 use crate::word::{ActionId, Cost, ItemSet, ItemStates, SchemaText, SignedItems};
 
 /// A conjunction that stands in schemas, with what being there is worth.
@@ -409,7 +409,10 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize> Default
 // What a value is worth a step before, which schema is the first of a context and whether it holds
 // are found again.
 stored! {
-    impl[const WORDS: usize] Pattern<WORDS> { items, value; then: 0.0, first: NONE, holds: false }
+    impl[const WORDS: usize] Pattern<WORDS> {
+        items, value if |it: &f32| *it >= 0.0;
+        then: 0.0, first: NONE, holds: false
+    }
     counted patterns
 }
 
@@ -418,7 +421,9 @@ stored! { impl[] Losses { evicted_schemas, refused_schemas, refused_patterns } }
 stored! {
     impl[const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize]
     KnowledgeBase<WORDS, PATTERNS, SCHEMAS> {
-        patterns, schemas, inherent, valued, deferred, discount, next_value, losses, cost
+        patterns, schemas, inherent => within LARGEST_VALUE, valued,
+        deferred => within LARGEST_VALUE, discount if |it: &f32| (0.0..1.0).contains(it),
+        next_value, losses, cost
     }
 }
 

@@ -146,10 +146,13 @@ impl<
         self.known.begin(seed);
         self.imagined.clear();
         self.believed = ItemSet::EMPTY;
+        self.here = 0;
         self.next = (0, 0);
         self.front = (0, 0);
         self.sweep = 0;
+        self.upward = false;
         self.stale = false;
+        self.fresher = false;
         self.moving = false;
         self.moved = false;
         self.values = values.map(bounded);

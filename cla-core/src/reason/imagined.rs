@@ -228,12 +228,16 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         if let Some(node) = at.and_then(|at| self.node_mut(at)) {
             node.marks |= VISITED;
         }
-        let scarce = usize::from(self.count()) + Self::RESERVE / 2 >= NODES;
-        if self.room == Room::Enough && (at.is_none() || scarce && Self::RESERVE > 0) {
+        let scarce = Self::RESERVE > 0 && self.is_scarce();
+        if self.room == Room::Enough && (at.is_none() || scarce) {
             self.room = Room::Cutting;
             self.at = 0;
         }
         at
+    }
+
+    fn is_scarce(&self) -> bool {
+        usize::from(self.count()) + Self::RESERVE / 2 >= NODES
     }
 
     /// Whether room is being made: nothing is imagined meanwhile.
@@ -256,7 +260,8 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             Room::Cutting => self.cut(at),
             Room::Clearing if at >= self.len => {
                 self.room = Room::Enough;
-                if usize::from(self.count()) >= NODES {
+                // What would be cut again at once is not kept.
+                if self.is_scarce() {
                     self.forget();
                 }
                 return true;

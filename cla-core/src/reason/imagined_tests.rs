@@ -212,3 +212,36 @@ fn whatever_is_asked_of_it_nothing_breaks() {
         }
     }
 }
+
+#[test]
+fn a_goal_does_not_hold_where_an_item_that_it_forbids_is_on() {
+    let mut goal = goal(1);
+    goal.insert(ItemId(2), false).unwrap();
+    let mut both = place(1);
+    assert!(super::holds(&goal, &both));
+    both.insert(ItemId(2)).unwrap();
+    assert!(!super::holds(&goal, &both));
+}
+
+#[test]
+fn room_is_made_to_an_end_however_many_states_were_perceived() {
+    for perceived in 50..=64 {
+        let mut full = Imagined::<1, 32, 2, 64>::new();
+        // Five items and twenty-six: all pairs are other states.
+        let pairs = (0..5).flat_map(|one| (5..31).map(move |other| (one, other)));
+        let mut last = ItemSet::EMPTY;
+        for (one, other) in pairs.take(perceived) {
+            last = place(one).union(&place(other));
+            full.visit(&last, 0.0);
+        }
+        let mut steps = 0;
+        while full.makes_room() {
+            // Whoever made room is told where it is.
+            if full.make_room() {
+                full.visit(&last, 0.0);
+            }
+            steps += 1;
+            assert!(steps < 1_000, "{perceived}");
+        }
+    }
+}

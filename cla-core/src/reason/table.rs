@@ -35,6 +35,7 @@ impl<const SCHEMAS: usize, const ACTIONS: usize> Table<SCHEMAS, ACTIONS> {
     pub(super) fn clear(&mut self) {
         self.schemas.clear();
         self.ends = [0; ACTIONS];
+        (self.evicted, self.refused) = (0, 0);
     }
 
     pub(super) fn all(&self) -> &[SimpleSchema] {

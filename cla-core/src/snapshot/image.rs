@@ -55,8 +55,8 @@ pub trait Snapshot {
 
 /// Saves a brain: `names` say what its items and actions mean.
 ///
-/// The brain is gone through twice, first to be checked and measured; the sink gets pieces of at most
-/// 64 bytes, in order.
+/// The brain is gone through three times: to be checked and measured, as a whole and by sections, and
+/// to be written; the sink gets pieces of at most 64 bytes, in order.
 /// Answers the bytes of the image.
 ///
 /// ```

@@ -55,7 +55,8 @@ pub fn keep<B: Snapshot>(brain: &B, names: Names, path: &Path) -> Result<u32, Fa
 /// Reads a brain from a file.
 ///
 /// # Errors
-/// When there is no such file, or it is no whole image of such a brain; the brain is as it was.
+/// When there is no such file, or it is no whole image of such a brain; the brain is as it was. Where
+/// bytes stand behind the image it was taken all the same.
 pub fn recall<B: Snapshot>(brain: &mut B, names: Names, path: &Path) -> Result<u32, Failure> {
     let image = read(path)?;
     let refused = |it: LoadError<SourceEnd>| format!("{}: {it}", path.display());
