@@ -1,81 +1,20 @@
 //! The one place where a robot is described: names, values, capacities (book, tables 6.1 and 6.2).
 
-/// What `brain!` needs and nobody else: the message for too little RAM.
 #[doc(hidden)]
-pub mod message {
-    /// A sentence that a constant can make.
-    pub struct Message {
-        text: [u8; 96],
-        length: usize,
-    }
-
-    // Evaluated at compile time only: no panic is left in the code.
-    #[allow(clippy::indexing_slicing)]
-    impl Message {
-        /// How many bytes a brain takes, and how many it may take.
-        #[must_use]
-        pub const fn of_ram(takes: usize, may_take: usize) -> Self {
-            let empty = Self {
-                text: [0; 96],
-                length: 0,
-            };
-            let takes = empty.add("the brain takes ").number(takes);
-            let limit = takes.add(" bytes, and `ram` allows ").number(may_take);
-            limit.add(": allow more, or give it less")
-        }
-
-        const fn add(mut self, words: &str) -> Self {
-            let words = words.as_bytes();
-            let mut at = 0;
-            while at < words.len() {
-                self.text[self.length] = words[at];
-                self.length += 1;
-                at += 1;
-            }
-            self
-        }
-
-        /// As it is written in Rust: `12_000`.
-        const fn number(mut self, number: usize) -> Self {
-            let mut place = 1;
-            let mut digits = 1;
-            while number / place >= 10 {
-                place *= 10;
-                digits += 1;
-            }
-            while place > 0 {
-                self.text[self.length] = b'0' + (number / place % 10) as u8;
-                self.length += 1;
-                place /= 10;
-                digits -= 1;
-                if digits > 0 && digits % 3 == 0 {
-                    self.text[self.length] = b'_';
-                    self.length += 1;
-                }
-            }
-            self
-        }
-
-        /// The sentence.
-        #[must_use]
-        pub const fn as_str(&self) -> &str {
-            let (text, _) = self.text.split_at(self.length);
-            match core::str::from_utf8(text) {
-                Ok(text) => text,
-                Err(_) => "the brain takes more bytes than `ram` allows",
-            }
-        }
-    }
-}
+pub mod message;
+mod mind;
+mod words;
 
 /// Describes a robot's brain: its items, actions, valued items, capacities and memory.
 ///
 /// Makes a module with
 /// - `Item` and `Action`, enums of the names, each with `id()`;
-/// - `percept(|item| …)`, what the sensors report, each item on, off or unknown;
+/// - `percept(|item| …)`, what the sensors report, each item on, off or unknown, and
+///   `Percept::of(&[Item::a])`, these on and all others off; no other robot's brain takes it;
 /// - `VOCABULARY`, the names for printing, and `VALUES`, what is worth having;
 /// - `Brain`, the [`Mind`](crate::forest::Mind) that remembers so many `samples`, with
-///   [`Capacities`](crate::forest::Capacities) in proportion to them;
+///   [`Capacities`](crate::forest::Capacities) in proportion to them: it takes a `Percept` and answers
+///   with an `Action`;
 /// - `brain()`, a `const` constructor, and `be_born(&mut Brain, config, seed)`, its birth with these
 ///   values: before it the brain refuses to choose and to learn;
 /// - `RAM`, the bytes that it costs, all of them in `.bss`.
@@ -83,7 +22,8 @@ pub mod message {
 /// The keys may stand in any order: `items`, `actions`, `values` (negative for harm), `samples`, `ram`,
 /// and `imagines` for a brain that plans: so many states it imagines at once, with schemas that foresee
 /// them ([`Reason`](crate::reason::Reason)), and it can [`pursue`](crate::forest::Mind::pursue) a goal;
-/// it cannot be saved yet.
+/// it cannot be saved yet; and `safe` names the action for when the brain cannot choose
+/// (`SAFE`, `choose_or_safe`).
 /// A key that is missing is named, one that is unknown or stands twice is pointed at, and so is a
 /// value of something that is no item.
 ///
@@ -102,8 +42,20 @@ pub mod message {
 /// let mut brain = moth::brain();
 /// moth::be_born(&mut brain, MindConfig::DEFAULT, 1)?;
 /// let choice = brain.choose(&moth::percept(|item| item == moth::Item::light_left))?;
-/// assert!(moth::Action::of(choice.action).is_some());
+/// assert!(moth::ACTIONS.contains(&choice.action));
 /// # Ok::<(), cla_core::forest::MindError>(())
+/// ```
+///
+/// A percept of another robot is another type:
+///
+/// ```compile_fail,E0308
+/// cla_core::brain! {
+///     pub mod moth { items: [light], actions: [fly], values: [light = 1.0], samples: 64, ram: 20_000 }
+/// }
+/// cla_core::brain! {
+///     pub mod mole { items: [earth], actions: [dig], values: [earth = 1.0], samples: 64, ram: 20_000 }
+/// }
+/// let _ = moth::brain().choose(&mole::Percept::UNKNOWN);
 /// ```
 ///
 /// # The book's learner
@@ -202,241 +154,72 @@ macro_rules! brain {
     (@map $items:expr; $width:literal, $height:literal, bytes) => {
         $crate::som::ByteSom<$width, $height, { $items }>
     };
-    // Names and their ids, for every kind of brain.
-    (@words [$($item:ident)+] [$($action:ident)+]) => {
-        /// The primitive items, in the order of their ids.
-        #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Item { $(
-            #[doc = concat!("The item `", stringify!($item), "`.")]
-            $item
-        ),+ }
-
-        /// The primitive actions, in the order of their ids.
-        #[allow(non_camel_case_types, clippy::upper_case_acronyms)]
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum Action { $(
-            #[doc = concat!("The action `", stringify!($action), "`.")]
-            $action
-        ),+ }
-
-        /// The names of the items and actions.
-        pub static VOCABULARY: $crate::word::Vocabulary = $crate::word::Vocabulary {
-            items: &[$(stringify!($item)),+],
-            actions: &[$(stringify!($action)),+],
-        };
-
-        /// All items in the order of their ids.
-        pub const ITEMS: &[Item] = &[$(Item::$item),+];
-        /// All actions in the order of their ids.
-        pub const ACTIONS: &[Action] = &[$(Action::$action),+];
-
-        impl Item {
-            /// The item's id.
-            #[must_use]
-            pub const fn id(self) -> $crate::word::ItemId {
-                $crate::word::ItemId(self as u16)
-            }
-        }
-
-        impl Action {
-            /// The action's id.
-            #[must_use]
-            pub const fn id(self) -> $crate::word::ActionId {
-                $crate::word::ActionId(self as u16)
-            }
-
-            /// The action with that id; `None` for an id that is not the robot's.
-            #[must_use]
-            pub fn of(id: $crate::word::ActionId) -> Option<Self> {
-                ACTIONS.get(usize::from(id.0)).copied()
-            }
-        }
-
-        /// Words of an item set.
-        pub const WORDS: usize = ITEMS.len().div_ceil(32);
-
-        /// What the robot's sensors report.
-        pub type Percept = $crate::word::ItemStates<WORDS>;
-
-        /// What the sensors report: each item is asked for, and is on, off, or unknown (`None`).
-        #[must_use]
-        pub fn percept<S: Into<Option<bool>>>(mut sense: impl FnMut(Item) -> S) -> Percept {
-            let mut now = Percept::UNKNOWN;
-            for &item in ITEMS {
-                // An item of the robot fits its percept.
-                let _ = now.set(item.id(), sense(item).into());
-            }
-            now
-        }
-
-        /// A goal: these items on, those off.
-        #[must_use]
-        pub fn goal(on: &[Item], off: &[Item]) -> $crate::word::SignedItems<WORDS> {
-            let mut goal = $crate::word::SignedItems::EMPTY;
-            for (items, sign) in [(on, true), (off, false)] {
-                for item in items {
-                    // An item of the robot fits its goals.
-                    let _ = goal.insert(item.id(), sign);
-                }
-            }
-            goal
-        }
-    };
-    // What it thinks with: nothing, or room for so many imagined states.
-    (@reason) => { () };
-    (@reason $imagines:expr) => {
-        $crate::reason::Reason<
-            WORDS,
-            { ITEMS.len() },
-            { ACTIONS.len() },
-            { $crate::forest::Capacities::thoughts($imagines).samples },
-            { $crate::forest::Capacities::thoughts($imagines).schemas },
-            { $imagines },
-        >
-    };
-    // Its bytes, and whether they are as many as it may take.
-    (@ram $ram:expr) => {
-        /// Bytes of static memory that a brain takes.
-        pub const RAM: usize = core::mem::size_of::<Brain>();
-
-        const _: () = assert!(
-            RAM <= $ram,
-            "{}",
-            $crate::brain::message::Message::of_ram(RAM, $ram).as_str()
-        );
-    };
     // The keys one by one: each is noted as it was written and its value put in its place.
     (@keys $head:tt [$($seen:ident)*] $places:tt $key:ident: $($rest:tt)*) => {
         $crate::brain! { @key $head [$($seen)* $key] $places $key: $($rest)* }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8 $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8 $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8 $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8 $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new} $s9 $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new} $s9 $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] samples: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 {$new} $s10] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] samples: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 {$new} $s10 $s11] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt] imagines: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 {$new}] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] imagines: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 {$new} $s11] $($($rest)*)? }
     };
-    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt]) => {
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] safe: $new:ident $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 {$new}] $($($rest)*)? }
+    };
+    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt]) => {
         compile_error!("brain!: a key is missing: `items: [light, at_lamp]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt]) => {
         compile_error!("brain!: a key is missing: `actions: [left, right]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt]) => {
         compile_error!("brain!: a key is missing: `values: [at_lamp = 10.0]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt]) => {
         compile_error!("brain!: a key is missing: `samples: 1_024`, or for the book's learner `maps: 6 x 6`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt]) => {
         compile_error!("brain!: a key is missing: `patterns: 32`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt {} $s10:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt]) => {
         compile_error!("brain!: a key is missing: `schemas: 128`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {} $s9:tt $s10:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {} $s9:tt $s10:tt $s11:tt]) => {
         compile_error!("brain!: a key is missing: `ram: 12_000`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} {} {} {} {} $s8:tt {$samples:expr} $s10:tt]) => {
-        $crate::brain! { @mind $head $seen $s0 $s1 $s2 $s8 {$samples} $s10 }
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} {} {} {} {} $s8:tt {$samples:expr} $s10:tt $s11:tt]) => {
+        $crate::brain_with_a_mind! { $head $seen $s0 $s1 $s2 $s8 {$samples} $s10 $s11 }
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {$samples:expr} $s10:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {$samples:expr} $s10:tt $s11:tt]) => {
         compile_error!("brain!: `samples` is for the one learner; `maps`, `patterns`, `schemas`, `synthetic` and `beliefs` are for the book's");
-    };
-    (
-        @mind { $(#[$meta:meta])* $visibility:vis mod $name:ident } [$($seen:ident)*]
-        { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
-        { $ram:expr } { $samples:expr } { $($imagines:expr)? }
-    ) => {
-        $(#[$meta])*
-        $visibility mod $name {
-            $crate::brain! { @words [$($item)+] [$($action)+] }
-
-            /// What it is worth when an item is on after an action, negative for harm.
-            pub const VALUES: [f32; ITEMS.len()] = {
-                let mut values = [0.0; ITEMS.len()];
-                $(values[Item::$valued as usize] = $value;)+
-                values
-            };
-
-            // What stands twice is pointed at by the compiler, and so is a value that is no value.
-            const _: () = {
-                #[allow(dead_code, non_camel_case_types)]
-                enum Keys { $($seen),+ }
-                #[allow(dead_code, non_camel_case_types)]
-                enum Valued { $($valued),+ }
-                $(
-                    let value: f32 = $value;
-                    assert!(
-                        value >= -$crate::forest::MOST_REWARD && value <= $crate::forest::MOST_REWARD,
-                        concat!("the value of `", stringify!($valued), "` is not within ten thousand")
-                    );
-                )+
-            };
-
-            const CAPACITIES: $crate::forest::Capacities =
-                $crate::forest::Capacities::of($samples, ACTIONS.len());
-
-            /// The brain.
-            pub type Brain = $crate::forest::Mind<
-                WORDS,
-                { ITEMS.len() },
-                { ACTIONS.len() },
-                { CAPACITIES.stretches },
-                { CAPACITIES.leaves },
-                { CAPACITIES.rows },
-                { CAPACITIES.states },
-                { CAPACITIES.links },
-                $crate::brain!(@reason $($imagines)?),
-            >;
-
-            $crate::brain! { @ram $ram }
-
-            /// A brain before its birth: all memory zero.
-            #[must_use]
-            pub const fn brain() -> Brain {
-                Brain::unborn()
-            }
-
-            /// A brain's birth: what is in `VALUES` is worth having, or harm, from now on.
-            ///
-            /// # Errors
-            /// `MindError` for a configuration that cannot work; the brain is as it was.
-            pub fn be_born(
-                brain: &mut Brain,
-                config: $crate::forest::MindConfig,
-                seed: u64,
-            ) -> Result<(), $crate::forest::MindError> {
-                brain.be_born(config, VALUES, seed)
-            }
-        }
     };
     (
         @keys { $(#[$meta:meta])* $visibility:vis mod $name:ident } [$($seen:ident)*]
@@ -444,12 +227,15 @@ macro_rules! brain {
             { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
             { $width:literal, $height:literal $(, $weights:ident)? }
             { $patterns:expr } { $schemas:expr } { $($synthetic:expr)? } { $($beliefs:expr)? }
-            { $ram:expr } {} {}
+            { $ram:expr } {} {} { $($safe:ident)? }
         ]
     ) => {
         $(#[$meta])*
         $visibility mod $name {
-            $crate::brain! { @words [$($item)+] [$($action)+] }
+            $crate::brain_words! { @words [$($item)+] [$($action)+] }
+
+            $crate::brain_words! { @states }
+            $crate::brain_words! { @safe $($safe)? }
 
             /// What is worth having for its own sake.
             pub const VALUES: &[($crate::word::ItemId, f32)] =
@@ -484,7 +270,7 @@ macro_rules! brain {
                 $crate::brain!(@map ITEMS.len(); $width, $height $(, $weights)?),
             >;
 
-            $crate::brain! { @ram $ram }
+            $crate::brain_words! { @ram $ram }
 
             /// A brain before its birth: all memory zero.
             #[must_use]
@@ -510,7 +296,7 @@ macro_rules! brain {
         $visibility:vis mod $name:ident { $($keys:tt)* }
     ) => {
         $crate::brain! {
-            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {} {} {}] $($keys)*
+            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {} {} {} {}] $($keys)*
         }
     };
 }

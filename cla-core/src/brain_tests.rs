@@ -30,6 +30,7 @@ crate::brain! {
         actions: [dig],
         patterns: 16,
         items: [earth, silver, gold],
+        safe: dig,
     }
 }
 
@@ -41,6 +42,7 @@ fn the_keys_of_a_robot_may_stand_in_any_order() {
     assert_eq!(worth(shuffled::Item::gold), 2.0);
     assert_eq!(worth(shuffled::Item::silver), 1.0);
     assert_eq!(worth(shuffled::Item::earth), 0.0);
+    assert_eq!(shuffled::SAFE, shuffled::Action::dig);
     let actions: std::vec::Vec<_> = (0..2)
         .map(|id| shuffled::Action::of(crate::ActionId(id)))
         .collect();
@@ -56,6 +58,7 @@ crate::brain! {
         ram: 30_000,
         actions: [dig, leave],
         items: [earth, gold, hot],
+        safe: leave,
     }
 }
 
@@ -63,12 +66,13 @@ crate::brain! {
 fn samples_make_the_one_learner_with_capacities_in_proportion() {
     assert_eq!(one::VALUES, [0.0, 1.0, -2.5]);
     type Expected = crate::forest::Mind<1, 3, 2, 7, 4, 64, 64, 256>;
-    let mut brain: Expected = one::brain();
+    let mut brain = one::brain();
+    let _: &Expected = &brain;
     assert_eq!(one::RAM, size_of::<Expected>());
     one::be_born(&mut brain, crate::MindConfig::DEFAULT, 1).unwrap();
     let now = one::percept(|item| item == one::Item::gold);
     let choice = brain.choose(&now).unwrap();
-    assert!(one::Action::of(choice.action).is_some());
+    assert!(one::ACTIONS.contains(&choice.action));
     assert_eq!(brain.learn(&now).unwrap().reward, 1.0);
 }
 
@@ -80,8 +84,58 @@ fn a_percept_asks_for_every_item_and_unknown_must_be_said() {
         Item::gold => Some(false),
         Item::hot => None,
     });
-    let states = [Item::earth, Item::gold, Item::hot].map(|item| now.get(item.id()));
+    let states = [Item::earth, Item::gold, Item::hot].map(|item| now.get(item));
     assert_eq!(states, [Some(true), Some(false), None]);
+    // By name: what is not named is off, and unknown only when said.
+    let named = one::Percept::of(&[Item::earth]);
+    assert_eq!(named.with(Item::hot, None), now);
+    assert_eq!(named.get(Item::hot), Some(false));
+    assert_eq!(one::Percept::from(*now.states()), now);
+}
+
+#[test]
+fn a_robot_knows_a_safe_action_for_when_its_brain_cannot_choose() {
+    let (mut brain, now) = (one::brain(), one::Percept::UNKNOWN);
+    assert_eq!(brain.choose_or_safe(&now), one::SAFE);
+    assert_eq!(one::SAFE, one::Action::leave);
+    one::be_born(&mut brain, crate::MindConfig::DEFAULT, 1).unwrap();
+    let dug = (0..50).any(|_| brain.choose_or_safe(&now) == one::Action::dig);
+    assert!(dug, "a brain that can choose is asked");
+}
+
+#[test]
+fn what_is_said_in_names_is_what_the_mind_is_told() {
+    use one::{Action, Item};
+    let mut brain = one::brain();
+    one::be_born(&mut brain, crate::MindConfig::DEFAULT, 5).unwrap();
+    let mut named_twin = brain.clone();
+    let twin: &mut one::Mind = &mut named_twin;
+    for step in 0..300_u32 {
+        let now = one::percept(|item| step % 3 == item as u32);
+        let choice = brain.choose(&now).unwrap();
+        let same = twin.choose(now.states()).unwrap();
+        assert_eq!(
+            (choice.action.id(), choice.value),
+            (same.action, same.value)
+        );
+        let taught = brain.learn_with(&now, 0.5).unwrap();
+        assert_eq!(twin.learn_with(now.states(), 0.5), Ok(taught));
+        let seen = one::Percept::of(&[Item::gold]);
+        let taught = brain.observe(&now, Action::dig, &seen).unwrap();
+        let action = Action::dig.id();
+        assert_eq!(
+            twin.observe(now.states(), action, seen.states()),
+            Ok(taught)
+        );
+    }
+    // Only what is allowed is chosen, also when nothing is.
+    let now = one::Percept::UNKNOWN;
+    for _ in 0..30 {
+        let choice = brain.choose_among(&now, &[Action::leave]).unwrap();
+        assert_eq!(choice.action, Action::leave);
+    }
+    let nothing = brain.choose_among(&now, &[]);
+    assert_eq!(nothing, Err(crate::forest::MindError::NothingAllowed));
 }
 
 crate::brain! {
@@ -107,9 +161,9 @@ fn a_robot_that_imagines_pursues_a_goal_which_is_worth_nothing() {
     let mut place = 0;
     let mut live = |brain: &mut planner::Brain| {
         let choice = brain.choose(&sense(place)).unwrap();
-        place = match Action::of(choice.action) {
-            Some(Action::on) => (place + 1).min(3),
-            _ => place.saturating_sub(1),
+        place = match choice.action {
+            Action::on => (place + 1).min(3),
+            Action::back => place.saturating_sub(1),
         };
         brain.learn(&sense(place)).unwrap();
         place
@@ -119,9 +173,7 @@ fn a_robot_that_imagines_pursues_a_goal_which_is_worth_nothing() {
     }
     brain.act().unwrap();
     // Now it stays at the fourth place; the first is worth nothing, and is reached all the same.
-    brain
-        .pursue(planner::goal(&[Item::first], &[]), 50, &sense(3))
-        .unwrap();
+    brain.pursue(&[Item::first], &[], 50, &sense(3)).unwrap();
     let reached = (0..50).any(|_| {
         live(&mut brain);
         brain.pursuit() == Pursuit::Reached

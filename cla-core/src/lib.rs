@@ -53,4 +53,4 @@ pub mod word;
 pub use agent::{Adaptation, Agent, AgentConfig, AgentError, Choice, Lesson, Level, Reason, Stage};
 pub use check::ConfigError;
 pub use forest::{Mind, MindConfig};
-pub use word::{ActionId, ItemId, ItemStates as Percept, SchemaText, Vocabulary};
+pub use word::{ActionId, ItemId, ItemStates as Percept, SchemaText, Threshold, Vocabulary};

@@ -21,6 +21,8 @@ struct Module {
     uses: Vec<Use>,
     /// Paths in code that begin with a module.
     mentions: Vec<Path>,
+    /// The macros it defines; they are found at the root of the crate.
+    macros: Vec<String>,
 }
 
 #[derive(Debug)]
@@ -62,6 +64,14 @@ impl fmt::Display for Import {
 ///     file("cla-core/src/b.rs", "pub struct B(Option<Box<super::a::A>>);"),
 /// ]);
 /// assert_eq!(imports.circles(), [["cla-core/src/a.rs", "cla-core/src/b.rs"]]);
+/// // A macro is named at the root, wherever it is defined.
+/// let imports = Imports::of(&[
+///     file("cla-core/src/lib.rs", "mod a; mod b;"),
+///     file("cla-core/src/a.rs", "fn a() { crate::make!() }"),
+///     file("cla-core/src/b.rs", "#[macro_export] macro_rules! make { () => {} }"),
+/// ]);
+/// let all: Vec<_> = imports.iter().map(ToString::to_string).collect();
+/// assert_eq!(all, ["cla-core/src/a.rs imports cla-core/src/b.rs"]);
 /// ```
 #[derive(Debug)]
 pub struct Imports {
@@ -211,7 +221,11 @@ impl Tree {
                 return Some(found);
             }
         }
-        Some(module.path.clone())
+        let by_macro = |(place, it): (&Path, &Module)| {
+            (place.first() == at.first() && it.macros.contains(first)).then(|| it.path.clone())
+        };
+        let defined = (at.len() == 1).then(|| self.modules.iter().find_map(by_macro));
+        Some(defined.flatten().unwrap_or_else(|| module.path.clone()))
     }
 }
 
@@ -251,6 +265,9 @@ impl Module {
         let mut at = 0;
         while let Some(token) = tokens.get(at) {
             let before = at.checked_sub(1).and_then(|at| tokens.get(at));
+            if token == "macro_rules" {
+                module.macros.extend(tokens.get(at + 2).cloned());
+            }
             if token == "use" && before.is_none_or(|it| it != "::") {
                 let public = before.is_some_and(|it| it == "pub" || it == ")");
                 at += 1;

@@ -10,9 +10,11 @@ mod cost;
 mod item;
 mod notation;
 mod signed_items;
+mod threshold;
 
 pub use action::{ActionId, Vocabulary};
 pub use cost::Cost;
 pub use item::{ItemId, ItemOutOfRange, ItemSet, ItemStates, Items};
 pub use notation::{Detail, NotationError, SchemaText, Written};
 pub use signed_items::SignedItems;
+pub use threshold::Threshold;
