@@ -103,7 +103,7 @@ impl<
     /// that of the newest tree's leaf.
     #[must_use]
     pub fn explain(&self) -> Option<Explanation<WORDS>> {
-        let said = self.said?;
+        let said = self.said.get()?;
         let mut schema = self.reason.explain(&self.now, said.action);
         if schema.result.is_empty() {
             schema.context = self.context_of(said.action);

@@ -12,7 +12,7 @@ use super::moment::{Moment, NO_ACTION};
 use super::replay::{drawn, replay};
 use super::runs::Runs;
 use super::sarsa::{Sarsa, Scene, number, step_of};
-use super::step::{Actions, Deliberation, MindError, Motive, Taught, check_reward};
+use super::step::{Actions, Deliberation, MindError, Motive, Said, Taught, check_reward};
 use super::trees::{Forest, Horizon};
 use super::voices::Voices;
 use crate::check::Config;
@@ -121,7 +121,7 @@ pub struct Mind<
     /// Actions of chance that follow each other, those that are left.
     pub(super) stroll: u16,
     /// What the last choice was, for whom asks why.
-    pub(super) said: Option<Deliberation>,
+    pub(super) said: Said,
 }
 
 impl<
@@ -176,7 +176,7 @@ impl<
             reason: R::NEW,
             led: false,
             stroll: 0,
-            said: None,
+            said: Said::NOTHING,
         }
     }
 
@@ -206,7 +206,7 @@ impl<
         self.reason.begin(values, seed);
         self.led = false;
         self.stroll = 0;
-        self.said = None;
+        self.said = Said::NOTHING;
         self.values = values;
         self.config = config;
         self.age = Age::Training;
@@ -321,7 +321,7 @@ impl<
     fn settle(&mut self, choice: Deliberation, seen: ItemStates<WORDS>) -> Deliberation {
         self.chosen = choice.action.0 as u8;
         self.now = seen;
-        self.said = Some(choice);
+        self.said = Said::of(choice);
         choice
     }
 
@@ -595,7 +595,7 @@ impl<
         self.forest.remember(sample);
         self.before = *seen;
         self.last = action;
-        self.said = None;
+        self.said = Said::NOTHING;
     }
 }
 

@@ -93,6 +93,36 @@ pub struct Deliberation {
     pub motive: Motive,
 }
 
+/// The last choice, if any. Not an `Option`: none of those would be all zero, and a static mind must be,
+/// or its whole memory is copied from flash.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Said {
+    there: bool,
+    choice: Deliberation,
+}
+
+impl Said {
+    pub(super) const NOTHING: Self = Self {
+        there: false,
+        choice: Deliberation {
+            action: ActionId(0),
+            value: 0.0,
+            motive: Motive::Voice(Voice::TreesAndHabits),
+        },
+    };
+
+    pub(super) const fn of(choice: Deliberation) -> Self {
+        Self {
+            there: true,
+            choice,
+        }
+    }
+
+    pub(super) const fn get(self) -> Option<Deliberation> {
+        if self.there { Some(self.choice) } else { None }
+    }
+}
+
 /// Why a mind cannot do what it is asked.
 ///
 /// ```
@@ -171,6 +201,7 @@ pub(super) fn check_reward(reward: f32) -> Result<(), MindError> {
 }
 
 stored! { impl[] Deliberation { action, value, motive } }
+stored! { impl[] Said { there, choice } }
 stored_codes!(Motive {
     0: (Self::Voice(Voice::TreesAndHabits)),
     1: (Self::Voice(Voice::Trees)),

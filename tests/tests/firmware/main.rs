@@ -15,7 +15,7 @@ use cla_core::word::ActionId;
 use firmware_example::mind;
 use firmware_example::replay::{Echo, Forager, acting_at, relive, second_level_at};
 use firmware_example::trace::{self, ACTIONS, SEED, Step};
-use host_sim::device::board::{Build, Printed};
+use host_sim::device::board::{Build, Printed, section_bytes};
 use host_sim::device::target::Target;
 use host_sim::failure::Failure;
 use host_sim::learner::forager::percept;
@@ -119,6 +119,9 @@ fn the_learner_for_any_world_has_the_same_bits_on_the_cortex_m4f_in_bounded_call
         board.starts_with(&format!("life {life}\n")),
         "{life}, {board}"
     );
+    let program = build.build().expect("it has run");
+    let data = section_bytes(&program, ".data").expect("a program");
+    assert_eq!(data, 0, "the mind would lie in flash as well");
     let choose = printed(&board, "choose", "worst");
     let learn = printed(&board, "learn", "worst");
     assert!(choose > 0 && choose.max(learn) <= MOST, "{board}");

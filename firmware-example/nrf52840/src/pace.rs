@@ -1,0 +1,108 @@
+//! Ticks and actions: when an action ends, when its successor is due, and what is done when the brain
+//! is late.
+//!
+//! The control task ticks; an action lasts so many ticks. At the end of an action the percept goes to
+//! the brain, and its answer is due at the next tick: until then the last action goes on. A brain that
+//! has not answered has missed a tick; then the action is held or the safe one takes its place, and
+//! its answer is followed when it comes.
+
+use crate::robot::cart::{Action, SAFE};
+
+/// What a robot does while its brain is late.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WhenLate {
+    /// It goes on with the last action.
+    Hold,
+    /// It does the safe one.
+    Safe,
+}
+
+/// What the control task does after a tick.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// The action goes on.
+    On(Action),
+    /// The action is over: the percept goes to the brain, and until it answers this is done.
+    Ended(Action),
+}
+
+impl Turn {
+    /// What is done in this tick.
+    #[must_use]
+    pub const fn action(self) -> Action {
+        match self {
+            Self::On(action) | Self::Ended(action) => action,
+        }
+    }
+}
+
+/// Where an action is.
+#[derive(Clone, Copy, Debug)]
+pub struct Pace {
+    ticks: u16,
+    when_late: WhenLate,
+    done: Action,
+    /// Ticks of the action so far.
+    at: u16,
+    /// Whether the brain was asked and has not answered.
+    asked: bool,
+    missed: u32,
+    /// Ticks since the brain answered, for the watchdog.
+    silent: u32,
+}
+
+impl Pace {
+    /// An action of so many ticks (at least 2: one of them for the brain); the first is the safe one.
+    #[must_use]
+    pub const fn new(ticks: u16, when_late: WhenLate) -> Self {
+        Self {
+            ticks: if ticks < 2 { 2 } else { ticks },
+            when_late,
+            done: SAFE,
+            at: 0,
+            asked: false,
+            missed: 0,
+            silent: 0,
+        }
+    }
+
+    /// A tick; `answer` is what the brain has decided since the last one.
+    pub fn tick(&mut self, answer: Option<Action>) -> Turn {
+        match answer {
+            // An answer that nobody asked for is none.
+            Some(action) if self.asked => {
+                self.asked = false;
+                self.done = action;
+                self.at = 0;
+                self.silent = 0;
+            }
+            _ => self.silent = self.silent.saturating_add(1),
+        }
+        if self.asked {
+            self.missed = self.missed.saturating_add(1);
+            if self.when_late == WhenLate::Safe {
+                self.done = SAFE;
+            }
+            return Turn::On(self.done);
+        }
+        self.at += 1;
+        if self.at < self.ticks {
+            return Turn::On(self.done);
+        }
+        self.at = 0;
+        self.asked = true;
+        Turn::Ended(self.done)
+    }
+
+    /// Ticks in which the brain was late.
+    #[must_use]
+    pub const fn missed(&self) -> u32 {
+        self.missed
+    }
+
+    /// Whether the brain has answered within the last `ticks`; a watchdog is fed only then.
+    #[must_use]
+    pub const fn lives(&self, ticks: u32) -> bool {
+        self.silent < ticks
+    }
+}

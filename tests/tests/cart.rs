@@ -1,0 +1,246 @@
+//! The cart of `firmware-example/nrf52840`, without its part: what its sensors mean, who moves it when
+//! the brain is late, and that it learns to find its charger.
+
+// There these files are a library.
+#![allow(unreachable_pub)]
+
+#[path = "../../firmware-example/nrf52840/src/pace.rs"]
+mod pace;
+#[path = "../../firmware-example/nrf52840/src/robot.rs"]
+mod robot;
+
+use cla_core::MindConfig;
+use cla_core::num::Rng;
+use pace::{Pace, Turn, WhenLate};
+use robot::cart::{self, Action, Item, Percept, SAFE};
+use robot::{Readings, Senses, wheels};
+
+const CLEAR: Readings = Readings {
+    ranges: [0.4; 3],
+    lights: [0.5; 2],
+    bumped: false,
+    charging: false,
+};
+
+#[test]
+fn an_answer_that_comes_in_time_lasts_its_ticks() {
+    let mut pace = Pace::new(3, WhenLate::Safe);
+    let first = [None; 3].map(|answer| pace.tick(answer));
+    assert_eq!(first, [Turn::On(SAFE), Turn::On(SAFE), Turn::Ended(SAFE)]);
+    let left = Some(Action::left);
+    let turns = [left, None, None].map(|answer| pace.tick(answer));
+    let on = Turn::On(Action::left);
+    assert_eq!(turns, [on, on, Turn::Ended(Action::left)]);
+    assert_eq!(pace.missed(), 0);
+    // An answer in mid-action is none: nobody asked.
+    pace.tick(Some(Action::right));
+    assert_eq!(pace.tick(Some(Action::back)).action(), Action::right);
+}
+
+#[test]
+fn a_late_brain_is_counted_and_the_last_action_is_held_or_the_safe_one_done() {
+    for (when_late, meanwhile) in [(WhenLate::Hold, Action::left), (WhenLate::Safe, SAFE)] {
+        let mut pace = Pace::new(2, when_late);
+        pace.tick(None);
+        assert_eq!(pace.tick(None), Turn::Ended(SAFE));
+        pace.tick(Some(Action::left));
+        assert_eq!(pace.tick(None), Turn::Ended(Action::left));
+        for late in 1..=5 {
+            assert_eq!(pace.tick(None), Turn::On(meanwhile));
+            assert_eq!(pace.missed(), late);
+        }
+        // Its answer is followed when it comes.
+        assert_eq!(pace.tick(Some(Action::back)), Turn::On(Action::back));
+        assert_eq!(pace.tick(None), Turn::Ended(Action::back));
+        assert_eq!(pace.missed(), 5);
+    }
+}
+
+#[test]
+fn the_watchdog_is_fed_only_while_the_brain_answers() {
+    let mut pace = Pace::new(2, WhenLate::Hold);
+    for tick in 0..200 {
+        let answer = (tick < 100).then_some(Action::forward);
+        pace.tick(answer);
+        assert_eq!(pace.lives(50), tick < 148, "{tick}");
+    }
+}
+
+#[test]
+fn a_sensor_that_is_shorted_or_cut_is_unknown_and_a_bumper_counts_at_once() {
+    let mut senses = Senses::new();
+    let broken = Readings {
+        ranges: [0.0, 3.3, 1.5],
+        lights: [f32::NAN, 2.0],
+        bumped: true,
+        ..CLEAR
+    };
+    senses.sense(&CLEAR);
+    // One reading alone may be a spike.
+    let spike = senses.sense(&broken);
+    assert_eq!(spike.get(Item::near_right), Some(false));
+    assert_eq!(spike.get(Item::bump), Some(true));
+    let now = senses.sense(&broken);
+    assert_eq!(now.get(Item::near_left), None);
+    assert_eq!(now.get(Item::near_ahead), None);
+    assert_eq!(now.get(Item::near_right), Some(true));
+    assert_eq!(now.get(Item::light_left), None);
+    assert_eq!(now.get(Item::light_right), Some(true));
+    assert_eq!(now.get(Item::bump), Some(true));
+    assert_eq!(wheels(Action::forward, true), (0.0, 0.0));
+    assert_ne!(wheels(Action::back, true), (0.0, 0.0));
+}
+
+/// A room with a lamp over the charger, measured as the part would. When it has charged, somebody
+/// puts it down elsewhere.
+struct Room {
+    x: f32,
+    y: f32,
+    heading: f32,
+    rng: Rng,
+    charges: u32,
+}
+
+/// From the charger to the walls, metres.
+const WALL: f32 = 1.0;
+/// How near the charger's contacts are, metres.
+const REACH: f32 = 0.15;
+/// Wheels at full speed, metres a tick of 20 ms; half of the distance between them, metres.
+const SPEED: f32 = 0.012;
+const HALF_AXLE: f32 = 0.06;
+
+impl Room {
+    fn new(seed: u64) -> Self {
+        let mut room = Self {
+            x: 0.0,
+            y: 0.0,
+            heading: 0.0,
+            rng: Rng::stream(seed, 3),
+            charges: 0,
+        };
+        room.put_down();
+        room
+    }
+
+    fn put_down(&mut self) {
+        self.x = (self.rng.unit() * 1.6 - 0.8) * WALL;
+        self.y = 0.8 * WALL;
+        self.heading = self.rng.unit() * std::f32::consts::TAU;
+    }
+
+    /// Whether it stands at a wall and looks at it.
+    fn bumped(&self) -> bool {
+        let (dx, dy) = (self.heading.cos(), self.heading.sin());
+        self.x.abs() >= WALL && self.x * dx > 0.0 || self.y.abs() >= WALL && self.y * dy > 0.0
+    }
+
+    fn charging(&self) -> bool {
+        self.x.hypot(self.y) < REACH
+    }
+
+    fn readings(&mut self) -> Readings {
+        let mut noise = || (self.rng.unit() - 0.5) * 0.1;
+        let towards = (-self.y).atan2(-self.x) - self.heading;
+        // Each light sensor looks half a radian to its side.
+        let light = |side: f32| 0.6 + 2.0 * (towards - side).cos().max(0.0);
+        let near = |side: f32| {
+            let (dx, dy) = ((self.heading + side).cos(), (self.heading + side).sin());
+            let ahead = (self.x + 0.25 * dx).abs().max((self.y + 0.25 * dy).abs());
+            if ahead > WALL { 1.6 } else { 0.4 }
+        };
+        let (ranges, lights) = (
+            [near(0.8), near(0.0), near(-0.8)],
+            [light(0.5), light(-0.5)],
+        );
+        Readings {
+            ranges: ranges.map(|it| it + noise()),
+            lights: lights.map(|it| it + noise()),
+            bumped: self.bumped(),
+            charging: self.charging(),
+        }
+    }
+
+    fn drive(&mut self, (left, right): (f32, f32)) {
+        let forward = (left + right) / 2.0 * SPEED;
+        self.heading += (right - left) * SPEED / (2.0 * HALF_AXLE);
+        self.x = (self.x + forward * self.heading.cos()).clamp(-WALL, WALL);
+        self.y = (self.y + forward * self.heading.sin()).clamp(-WALL, WALL);
+    }
+
+    /// As the control task and the brain on the part do it; answers the charges in the last 2000
+    /// actions. A brain that is `late` needs a tick more for every third answer.
+    fn live(
+        &mut self,
+        actions: u32,
+        late: bool,
+        mut brain: impl FnMut(Action, Percept) -> Action,
+    ) -> u32 {
+        let (mut senses, mut pace) = (Senses::new(), Pace::new(10, WhenLate::Safe));
+        let (mut ended, mut before) = (0, 0);
+        let (mut answer, mut delayed) = (None, None);
+        while ended < actions {
+            let readings = self.readings();
+            let now = senses.sense(&readings);
+            let turn = pace.tick(answer.take());
+            answer = delayed.take();
+            self.drive(wheels(turn.action(), readings.bumped));
+            if let Turn::Ended(done) = turn {
+                let decided = Some(brain(done, now));
+                if late && ended % 3 == 0 {
+                    delayed = decided;
+                } else {
+                    answer = decided;
+                }
+                ended += 1;
+                if self.charging() && now.get(Item::charging) == Some(true) {
+                    self.charges += 1;
+                    self.put_down();
+                }
+            }
+            if ended + 2000 == actions {
+                before = self.charges;
+            }
+        }
+        self.charges - before
+    }
+}
+
+fn learned(seed: u64, late: bool) -> u32 {
+    let mut brain = Box::new(cart::brain());
+    cart::be_born(&mut brain, MindConfig::DEFAULT, seed).expect("the default works");
+    let (mut before, mut chosen, mut actions) = (Percept::UNKNOWN, None, 0);
+    Room::new(seed).live(8_000, late, |done, now| {
+        match chosen {
+            None => {}
+            Some(it) if it == done => drop(brain.learn(&now).expect("it has chosen")),
+            Some(_) => drop(brain.observe(&before, done, &now).expect("it is born")),
+        }
+        if actions == 6_000 {
+            brain.act().expect("it is born");
+        }
+        actions += 1;
+        before = now;
+        let action = brain.choose_or_safe(&now);
+        chosen = Some(action);
+        action
+    })
+}
+
+#[test]
+fn the_cart_learns_to_find_its_charger_also_when_its_brain_is_late() {
+    let mut totals = [0; 3];
+    for seed in 0..4 {
+        let mut rng = Rng::stream(seed, 4);
+        let drawn = |_, _| cart::ACTIONS[rng.below(5) as usize];
+        totals[0] += Room::new(seed).live(8_000, false, drawn);
+        totals[1] += learned(seed, false);
+        totals[2] += learned(seed, true);
+    }
+    println!(
+        "charges in 4 lives: by chance {}, learned {}, late {}",
+        totals[0], totals[1], totals[2]
+    );
+    let [chance, learned, late] = totals;
+    assert!(learned > 5 * chance.max(1), "{totals:?}");
+    assert!(late > 4 * chance.max(1), "{totals:?}");
+}
