@@ -1,6 +1,7 @@
 //! Tests that cross crates; what several of them need.
 
 pub mod claims;
+pub mod guide;
 pub mod imports;
 pub mod tokens;
 

@@ -403,7 +403,11 @@ fn every_finding_says_its_claim_its_n_and_its_command() {
 fn every_page_under_docs_is_in_the_index() {
     let index = links(&read("docs/README.md"));
     for (path, _) in documents() {
-        if let Some(page) = path.strip_prefix("docs/").filter(|it| *it != "README.md") {
+        // The chapters of the guide are named by its summary.
+        let named = |it: &&str| {
+            *it != "README.md" && (!it.starts_with("guide/") || it.ends_with("SUMMARY.md"))
+        };
+        if let Some(page) = path.strip_prefix("docs/").filter(named) {
             assert!(
                 index.iter().any(|it| it == page),
                 "docs/README.md does not name {page}"
@@ -439,4 +443,30 @@ fn the_changelog_is_told_by_kind_of_change_in_short_lines() {
         let length = line.chars().count();
         assert!(length <= 200, "{length} characters: {line}");
     }
+}
+
+#[test]
+fn the_guide_names_its_chapters_and_its_code_is_compiled() {
+    let summary = read("docs/guide/src/SUMMARY.md");
+    let compiled = read("tests/src/guide.rs");
+    let guide = documents().into_iter().filter_map(|(path, text)| {
+        let chapter = path.strip_prefix("docs/guide/src/")?.to_owned();
+        (chapter != "SUMMARY.md").then_some((chapter, text))
+    });
+    let mut chapters = 0;
+    for (chapter, text) in guide {
+        chapters += 1;
+        assert!(summary.contains(&format!("({chapter})")), "{chapter}");
+        if text.contains("```rust") {
+            assert!(
+                compiled.contains(&format!("guide/src/{chapter}")),
+                "{chapter}"
+            );
+            assert!(
+                !text.contains("```rust,"),
+                "{chapter}: code that is not run"
+            );
+        }
+    }
+    assert!(chapters >= 4, "{chapters}");
 }
