@@ -29,6 +29,6 @@ crate::brain! {
         schemas: 512,
         synthetic: 384,
         beliefs: 3072,
-        ram: 86_000,
+        ram: 91_000,
     }
 }

@@ -8,6 +8,7 @@
 mod audit;
 mod binary;
 mod byte;
+mod column;
 mod dense;
 mod grid;
 mod prototypes;
@@ -15,7 +16,7 @@ mod quality;
 mod stimulus;
 
 pub use binary::BinarySom;
-pub use byte::ByteSom;
+pub use byte::{ByteSom, Norms};
 pub use dense::{DenseSom, StimulusError};
 pub use grid::{BestMatch, Grid, NodeId, best_match};
 pub use prototypes::Prototypes;

@@ -1,7 +1,7 @@
 //! What a map of binary stimuli can do, whatever its weights are stored in.
 
 use super::binary::BinarySom;
-use super::grid::{Grid, NodeId};
+use super::grid::{BestMatch, Grid, NodeId, best_match};
 use super::stimulus::SparseStimulus;
 use crate::num::{Neighbourhood, Rng};
 
@@ -57,6 +57,19 @@ pub trait Prototypes<const WIDTH: usize, const HEIGHT: usize> {
         scratch: &mut Grid<f32, WIDTH, HEIGHT>,
         distances: &mut Grid<f32, WIDTH, HEIGHT>,
     );
+
+    /// The node nearest to a stimulus; of equally near ones the lowest index.
+    ///
+    /// `scratch` and `distances` are work memory: what is in them afterwards is not said.
+    fn best_match(
+        &self,
+        stimulus: &SparseStimulus<'_>,
+        scratch: &mut Grid<f32, WIDTH, HEIGHT>,
+        distances: &mut Grid<f32, WIDTH, HEIGHT>,
+    ) -> BestMatch {
+        self.squared_distances(stimulus, scratch, distances);
+        best_match(distances)
+    }
 
     /// Moves the prototypes around `winner` towards the stimulus: m ← m + α·h·(x − m) on known
     /// features, for the nodes that `may_move` lets.

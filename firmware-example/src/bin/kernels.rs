@@ -9,7 +9,7 @@
 use core::hint::black_box;
 
 use cla_core::num::{Neighbourhood, Rng};
-use cla_core::som::{BinarySom, ByteSom, Grid, NodeId, Prototypes, SparseStimulus, best_match};
+use cla_core::som::{BinarySom, ByteSom, Grid, NodeId, Prototypes, SparseStimulus};
 use firmware_example::board::Counter;
 use semihosting::{println, process};
 
@@ -43,8 +43,7 @@ fn measure<M: Prototypes<W, H>, const W: usize, const H: usize>(
     });
     let (mut scratch, mut distances) = (Grid::<f32, W, H>::filled(0.0), Grid::filled(0.0));
     let mut counter = Counter::start();
-    map.squared_distances(&x, &mut scratch, &mut distances);
-    let best = black_box(best_match(&distances));
+    let best = black_box(map.best_match(&x, &mut scratch, &mut distances));
     let search = counter.lap();
     let shape = (W * H, features, on);
     println!(

@@ -27,7 +27,8 @@ pub type Step = Transition<WORDS>;
 /// Maps of 10 × 10 nodes with weights of four bytes: the book's size (5.4.2).
 pub type FloatBank = ActionSomBank<10, 10, ITEM_COUNT, ACTION_COUNT>;
 /// The same with weights of one byte.
-pub type ByteBank = ActionSomBank<10, 10, ITEM_COUNT, ACTION_COUNT, ByteSom<10, 10, ITEM_COUNT>>;
+pub type ByteBank =
+    ActionSomBank<10, 10, ITEM_COUNT, ACTION_COUNT, ByteSom<10, 10, ITEM_COUNT, ()>>;
 /// Accommodation alone, in at most 64 kB.
 pub type Mind = Accommodation<WORDS, 150, 1500, ACTION_COUNT>;
 /// Accommodation alone, in at most 200 kB.
