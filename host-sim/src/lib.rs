@@ -10,4 +10,5 @@ pub mod learner;
 pub mod options;
 pub mod progress;
 pub mod report;
+pub mod settings;
 pub mod world;

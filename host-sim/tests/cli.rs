@@ -73,6 +73,16 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         &["calibrate", "--seeds", "1..2"],
         &["recover", "--damage", "flood"],
         &["one", "--parts", "moon"],
+        &["live", "--world", "mars"],
+        &["live", "--world", "none.POMDP"],
+        &["live", "--agent", "sarsaa"],
+        &["live", "--set", "agent.discount"],
+        &["live", "--set", "agent.discount=1.5"],
+        &["live", "--set", "world.radius=nan"],
+        &["live", "--config", "none.toml"],
+        &["live", "--config", "/dev/zero"],
+        &["live", "--rival", "mind"],
+        &["live", "--seeds", "5..5"],
         &["one", "--parts", "lake", "--long"],
         &["recover", "--damage", "camera:left"],
         &["recover", "--damage", "dead:s9"],
@@ -284,4 +294,71 @@ fn a_run_that_exceeds_its_budget_says_so_and_ends_with_exit_code_1() {
         out.contains("instructions of 1,000,000") && out.contains("of 264 KiB"),
         "{out}"
     );
+}
+
+#[test]
+fn a_life_is_lived_again_from_the_settings_that_it_has_written() {
+    let folder = Folder::new("settings");
+    let arguments = "live --agent q --rival random --seeds 3..5 --damage dead:s3 --set agent.alpha=0.2 \
+         --set protocol={training=50,before=50,after=100} --set world.distractors=2 --out first";
+    let arguments: Vec<&str> = arguments.split_whitespace().collect();
+    assert!(run(&folder.0, &arguments).status.success());
+    let again = ["live", "--config", "first/settings.toml", "--out", "again"];
+    assert!(run(&folder.0, &again).status.success());
+    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    assert_eq!(read("again/settings.toml"), read("first/settings.toml"));
+    let measured = |path: &str| {
+        let mut summary: serde_json::Value = serde_json::from_str(&read(path)).expect(path);
+        let summary = summary.as_object_mut().expect("a table");
+        summary.retain(|key, _| key != "command" && key != "seal");
+        serde_json::to_string(summary).expect("JSON")
+    };
+    assert_eq!(
+        measured("again/summary.json"),
+        measured("first/summary.json")
+    );
+    assert!(read("first/settings.toml").contains("alpha = 0.2"));
+}
+
+#[test]
+fn a_world_that_is_written_wrong_is_refused_with_its_place() {
+    let folder = Folder::new("worlds");
+    let shuttle = include_str!("../data/pomdp/shuttle_95.POMDP");
+    let spoiled = shuttle.replacen("0.0 0.4 0.3 0.0 0.3", "0.0 0.4 0.3 0.0 0.4", 1);
+    fs::write(folder.0.join("sum.POMDP"), &spoiled).expect("a file");
+    fs::write(
+        folder.0.join("half.toml"),
+        "[agent]\nname = \"q\"\nalpha = 0..1\n",
+    )
+    .expect("a file");
+    fs::write(
+        folder.0.join("name.toml"),
+        "[agent]\nname = \"q\"\nalhpa = 0.1\n",
+    )
+    .expect("a file");
+    let line = spoiled
+        .lines()
+        .position(|it| it.contains("0.3 0.0 0.4"))
+        .expect("it is there")
+        + 1;
+    for (arguments, words) in [
+        (
+            ["live", "--world", "sum.POMDP"],
+            format!("sum.POMDP, line {line}, column 1: "),
+        ),
+        (
+            ["live", "--config", "half.toml"],
+            "half.toml, line 3, column 11: ".to_owned(),
+        ),
+        (
+            ["live", "--config", "name.toml"],
+            "did you mean agent.alpha?".to_owned(),
+        ),
+    ] {
+        let output = run(&folder.0, &arguments);
+        assert_eq!(output.status.code(), Some(2));
+        let sentence = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(sentence.contains(&words), "{words}: {sentence}");
+        assert_eq!(sentence.lines().count(), 1, "{sentence}");
+    }
 }

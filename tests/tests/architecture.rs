@@ -134,8 +134,9 @@ fn each_storey_of_the_core_imports_only_storeys_below() {
 }
 
 /// The storeys of the simulator, each with those that it may stand on.
-const SIMULATOR: [(&str, &[&str]); 12] = [
+const SIMULATOR: [(&str, &[&str]); 13] = [
     ("failure", &[]),
+    ("settings", &["failure"]),
     ("progress", &[]),
     ("report", &[]),
     ("world", &["failure"]),
@@ -145,7 +146,7 @@ const SIMULATOR: [(&str, &[&str]); 12] = [
     (
         "experiment",
         &[
-            "baseline", "device", "failure", "learner", "progress", "report", "world",
+            "baseline", "device", "failure", "learner", "progress", "report", "settings", "world",
         ],
     ),
     ("keeping", &["failure", "learner", "world"]),
@@ -160,6 +161,7 @@ const SIMULATOR: [(&str, &[&str]); 12] = [
             "keeping",
             "progress",
             "report",
+            "settings",
             "world",
         ],
     ),

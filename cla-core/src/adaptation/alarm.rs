@@ -16,6 +16,11 @@ use crate::snapshot::{LARGEST_COUNT, stored};
 /// assert_eq!(AgentConfig::RESILIENT.surprise, Some(SurpriseConfig::FORAGER));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct SurpriseConfig {
     /// Alarm when so many rewards have stayed away; finite, above 0.
     ///

@@ -18,6 +18,11 @@ use crate::word::ItemId;
 /// assert!(config.check().is_ok());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct AgentConfig {
     /// How maps are trained.
     pub training: TrainingConfig,
@@ -59,6 +64,11 @@ pub struct AgentConfig {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Adaptation {
     /// Nothing.
     Frozen,
@@ -80,6 +90,11 @@ pub enum Adaptation {
 /// assert_eq!(Escape { after: 60, burst: 10 }.burst, 10);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Escape {
     /// Actions without reward before a burst.
     pub after: u16,

@@ -21,6 +21,11 @@ use crate::word::{ActionId, ItemSet};
 /// assert_eq!(AgentConfig::FORAGER_LEVEL2.habits, Some(HabitConfig::FORAGER));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct HabitConfig {
     /// Share of an action's value that is habit, in `[0, 1]`; the rest is what schemas promise.
     pub weight: f32,

@@ -13,6 +13,11 @@ use crate::word::{ActionId, ItemStates};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum ChoiceRule {
     /// The book's: the applicable schema with the most valuable result; of equally valuable ones
     /// the most reliable, then the first (6.2.3).

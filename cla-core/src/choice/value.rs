@@ -20,6 +20,11 @@ use crate::word::{ItemId, ItemSet, ItemStates, SignedItems};
 /// assert_eq!(ValueConfig::BOOK.discount, 0.95);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct ValueConfig {
     /// Share of a result's value that its context gets, in `[0, 1)` (book: .95).
     pub discount: f32,

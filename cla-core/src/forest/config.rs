@@ -12,6 +12,11 @@ use crate::snapshot::{stored, stored_as, stored_codes};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Voice {
     /// Trees and habits, half each.
     TreesAndHabits,
@@ -88,6 +93,40 @@ impl Heard {
     }
 }
 
+/// A list of voices.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Heard {
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(Voice::ALL.iter().filter(|&&voice| self.contains(voice)))
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'a> serde::Deserialize<'a> for Heard {
+    fn deserialize<D: serde::Deserializer<'a>>(from: D) -> Result<Self, D::Error> {
+        struct Voices;
+        impl<'a> serde::de::Visitor<'a> for Voices {
+            type Value = Heard;
+
+            fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.write_str("a list of voices")
+            }
+
+            fn visit_seq<A: serde::de::SeqAccess<'a>>(
+                self,
+                mut list: A,
+            ) -> Result<Heard, A::Error> {
+                let mut heard = Heard::NOBODY;
+                while let Some(voice) = list.next_element()? {
+                    heard = heard.and(voice);
+                }
+                Ok(heard)
+            }
+        }
+        from.deserialize_seq(Voices)
+    }
+}
+
 /// What it does when rewards stay away.
 ///
 /// ```
@@ -96,6 +135,11 @@ impl Heard {
 /// ```
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Doubting {
     /// Nothing.
     Never,
@@ -112,6 +156,11 @@ pub enum Doubting {
 /// assert!(config.check().is_ok());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct MindConfig {
     /// Share of random actions while training, in `[0, 1]`; with a reason they come twenty in a row and
     /// are 20 p / (20 + 19 p) of all.

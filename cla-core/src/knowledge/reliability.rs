@@ -14,6 +14,11 @@ use crate::snapshot::{stored, stored_codes};
 /// assert_eq!((it.value(Estimate::Plain), it.value(Estimate::Recent)), (0.6, 0.375));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Estimate {
     /// Successes / activations: the book's.
     Plain,

@@ -10,6 +10,11 @@ use crate::snapshot::{Reader, Stored, Writer, stored};
 /// assert_eq!(Level2Config::FORAGER.prior, 2.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Level2Config {
     /// κ: how many verified occasions the reliability of level 1 counts for; above 0.
     pub prior: f32,
@@ -40,6 +45,11 @@ pub struct Level2Config {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Fallback {
     /// Level 2 decides wherever it knows what happened last; its beliefs fall back one by one.
     Never,

@@ -20,6 +20,11 @@ use crate::word::{ActionId, Cost};
 /// assert!(TrainingConfig::FORAGER.recruitment.is_some());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct TrainingConfig {
     /// Learning rate α as a function of the samples that a map has seen; in `[0, 1]`.
     pub alpha: Schedule,
@@ -41,6 +46,11 @@ pub struct TrainingConfig {
 /// not been recruited, the one that has won least, or else the recruited one that has won least;
 /// a recruited node no longer follows its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Recruitment {
     /// Squared distance from which on a stimulus is not represented.
     /// Below .25, the best unit's weights round to the stimulus in every feature.

@@ -14,6 +14,11 @@ use crate::word::{ItemId, SignedItems};
 /// assert_eq!(HarvestConfig::BOOK.on, 0.9);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct HarvestConfig {
     /// Weights above this are positive items (book: .9).
     pub on: f32,

@@ -20,6 +20,11 @@ use crate::word::{ItemSet, ItemStates};
 /// # Ok::<(), cla_core::word::ItemOutOfRange>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum ResultCoding {
     /// −1 turned off, 0 unchanged, +1 turned on: where every action moves something (5.3.1).
     Change,

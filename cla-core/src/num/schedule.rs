@@ -15,6 +15,11 @@ use crate::snapshot::{Reader, Stored, Writer, stored};
 /// assert_eq!(alpha.at(20_000), 0.01);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "written::Written", into = "written::Written")
+)]
 pub struct Schedule {
     from: f32,
     to: f32,
@@ -26,6 +31,63 @@ enum Shape {
     Linear { steps: u32 },
     Geometric { steps: u32 },
     Decay { time_constant: f32 },
+}
+
+/// The form in which a schedule is written and read: the name of its function and what that takes.
+#[cfg(feature = "serde")]
+mod written {
+    use super::{Schedule, ScheduleError, Shape};
+
+    #[derive(serde::Serialize, serde::Deserialize)]
+    #[serde(rename_all = "snake_case", deny_unknown_fields)]
+    pub(super) enum Written {
+        Linear {
+            from: f32,
+            to: f32,
+            steps: u32,
+        },
+        Geometric {
+            from: f32,
+            to: f32,
+            steps: u32,
+        },
+        Decay {
+            from: f32,
+            to: f32,
+            time_constant: f32,
+        },
+    }
+
+    impl From<Schedule> for Written {
+        fn from(it: Schedule) -> Self {
+            let Schedule { from, to, shape } = it;
+            match shape {
+                Shape::Linear { steps } => Self::Linear { from, to, steps },
+                Shape::Geometric { steps } => Self::Geometric { from, to, steps },
+                Shape::Decay { time_constant } => Self::Decay {
+                    from,
+                    to,
+                    time_constant,
+                },
+            }
+        }
+    }
+
+    impl TryFrom<Written> for Schedule {
+        type Error = ScheduleError;
+
+        fn try_from(it: Written) -> Result<Self, ScheduleError> {
+            match it {
+                Written::Linear { from, to, steps } => Self::linear(from, to, steps),
+                Written::Geometric { from, to, steps } => Self::geometric(from, to, steps),
+                Written::Decay {
+                    from,
+                    to,
+                    time_constant,
+                } => Self::decay(from, to, time_constant),
+            }
+        }
+    }
 }
 
 /// Why a [`Schedule`] could not be made.

@@ -8,6 +8,7 @@
 
 use cla_core::agent::Escape;
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
 use super::patience::Patience;
 use super::tabular::{History, bits, captured};
@@ -21,7 +22,8 @@ use crate::world::{Percept, WORLD_WORDS, World};
 /// use host_sim::baseline::linear::LinearConfig;
 /// assert!(LinearConfig::DEFAULT.discount < 1.0);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct LinearConfig {
     /// Which percepts and actions have votes.
     pub history: History,

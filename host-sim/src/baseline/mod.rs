@@ -5,6 +5,7 @@
 //! `host-sim/data/stage`; `told` is a servo that is told what broke.
 //! Learners: `tabular` and `linear` reinforcement learning, `drescher`'s marginal attribution.
 
+mod checks;
 pub mod drescher;
 pub mod linear;
 pub mod lock;

@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 use cla_core::agent::Escape;
 use cla_core::num::Rng;
 use cla_core::word::ItemId;
+use serde::{Deserialize, Serialize};
 
 use super::patience::Patience;
 use crate::failure::Failure;
@@ -22,7 +23,8 @@ use crate::world::Percept;
 use crate::world::pioneer::{ACTIONS, INGRIP};
 
 /// By what a state and action are judged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Method {
     /// The best action of the next state, whatever is done there (Watkins).
     QLearning,
@@ -31,7 +33,8 @@ pub enum Method {
 }
 
 /// How a visit marks a state and action for later rewards.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Traces {
     /// It is marked with 1; the other actions of the state lose their marks.
     Replacing,
@@ -40,7 +43,8 @@ pub enum Traces {
 }
 
 /// What a state is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum History {
     /// The present percept.
     None,
@@ -51,7 +55,8 @@ pub enum History {
 }
 
 /// The parameters of a tabular learner.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct TabularConfig {
     /// By what a state and action are judged.
     pub method: Method,

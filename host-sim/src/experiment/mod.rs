@@ -5,6 +5,7 @@ pub mod calibrate;
 pub mod causal;
 pub mod forage;
 pub mod hil;
+pub mod live;
 pub mod mcu;
 pub mod microworld;
 pub mod noted;

@@ -27,6 +27,7 @@ pub struct Results {
     pub over_budget: Option<String>,
     pictures: Vec<(String, Picture)>,
     sections: Vec<Section>,
+    files: Vec<(String, String)>,
 }
 
 impl Results {
@@ -45,7 +46,15 @@ impl Results {
             over_budget: None,
             pictures: Vec::new(),
             sections: Vec::new(),
+            files: Vec::new(),
         }
+    }
+
+    /// Adds a text, which is written as a file of that name.
+    #[must_use]
+    pub fn file(mut self, name: &str, text: String) -> Self {
+        self.files.push((name.to_owned(), text));
+        self
     }
 
     /// Adds a picture, which is written as `name.svg` and `name.png`.
@@ -145,12 +154,15 @@ impl Results {
         text
     }
 
-    /// Writes the pictures, the page and, last, the summary; returns the paths.
+    /// Writes the texts, the pictures, the page and, last, the summary; returns the paths.
     ///
     /// # Errors
     /// [`OutputError`] for the first file that cannot be written.
     pub fn write(&self, output: &Output) -> Result<Vec<PathBuf>, OutputError> {
         let mut paths = Vec::new();
+        for (name, text) in &self.files {
+            paths.push(output.write(name, text.as_bytes())?);
+        }
         for (name, picture) in &self.pictures {
             paths.push(output.write_picture(name, picture)?);
         }

@@ -5,19 +5,22 @@
 //! A world is only built from a set that passes [`validate`](PioneerConfig::validate).
 
 use core::fmt;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What happens to the specimens that the gripper takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum AfterCapture {
     /// They are gone; the run is over when none is left (28 of 28).
+    #[serde(alias = "removed")]
     Removed,
     /// They reappear at a random free place, so that captures do not saturate.
+    #[serde(alias = "replaced")]
     Replaced,
 }
 
 /// Every number of the world that an experiment may vary.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct PioneerConfig {
     /// Radius of the round room, metres; 1 to 50, default 5.
     ///

@@ -19,6 +19,7 @@ pub mod pioneer;
 pub mod pomdp;
 pub mod setting;
 pub mod solve;
+pub mod sought;
 pub mod vacuum;
 pub mod veil;
 
@@ -90,5 +91,52 @@ pub trait World {
     /// body, or when it cannot break so; nothing has changed.
     fn suffer(&mut self, _: &Fault) -> Result<(), Unbreakable> {
         Err(Unbreakable::no_such_part())
+    }
+}
+
+/// A world of which only the program knows which it is.
+impl<W: World + ?Sized> World for Box<W> {
+    fn items(&self) -> &'static [&'static str] {
+        (**self).items()
+    }
+
+    fn actions(&self) -> &'static [&'static str] {
+        (**self).actions()
+    }
+
+    fn sense(&self) -> Percept {
+        (**self).sense()
+    }
+
+    fn act(&mut self, action: usize) {
+        (**self).act(action);
+    }
+
+    fn reflex(&mut self) -> Option<usize> {
+        (**self).reflex()
+    }
+
+    fn obtained(&self) -> u32 {
+        (**self).obtained()
+    }
+
+    fn finished(&self) -> bool {
+        (**self).finished()
+    }
+
+    fn earned(&self) -> f64 {
+        (**self).earned()
+    }
+
+    fn episode_ended(&self) -> bool {
+        (**self).episode_ended()
+    }
+
+    fn begin_episode(&mut self) {
+        (**self).begin_episode();
+    }
+
+    fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
+        (**self).suffer(fault)
     }
 }

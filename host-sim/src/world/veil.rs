@@ -6,6 +6,7 @@
 
 use cla_core::num::Rng;
 use cla_core::word::ItemId;
+use serde::{Deserialize, Serialize};
 
 use super::fault::{Fault, Unbreakable};
 use super::{Percept, World};
@@ -31,7 +32,8 @@ pub enum Veil {
 /// use host_sim::world::veil::Lost;
 /// assert_eq!(Lost::default(), Lost::Unknown);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Lost {
     /// Nothing: the item is unknown.
     #[default]

@@ -17,7 +17,8 @@ use crate::world::pioneer::Pioneer;
 use crate::world::setting::WorldOptions;
 
 /// How long each part of a life is, in actions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Protocol {
     /// Each half of a childhood (book: 10,000 for each level).
     pub training: u32,

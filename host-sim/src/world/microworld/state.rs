@@ -4,6 +4,7 @@
 //! It draws no random number except for the start.
 
 use cla_core::num::Rng;
+use serde::{Deserialize, Serialize};
 
 /// Cells of the hand's and the eye's reach along one axis.
 pub const REACH: u8 = 3;
@@ -141,7 +142,8 @@ impl State {
 /// use host_sim::world::microworld::Body;
 /// assert_eq!(Body::default(), Body::Visible);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Body {
     /// It is an object of the visual field; equations 5.12 and 5.21 need that.
     #[default]

@@ -76,6 +76,7 @@ impl Parser<'_> {
         let mut numbers = Vec::new();
         if word.is_none() {
             for _ in 0..wanted {
+                let place = self.words.peek().map_or(place, |it| it.place);
                 numbers.push((self.words.probability(of)?, place));
             }
         }
@@ -83,15 +84,17 @@ impl Parser<'_> {
             for (line, state) in each(row.flatten(), states).enumerate() {
                 let row_index = action * states + state;
                 for to in each(column.flatten(), width) {
-                    let chance = match word {
-                        Some(Word::Uniform) => 1.0 / width as f64,
-                        Some(Word::Identity) => f64::from(u8::from(state == to)),
+                    // A row stands where its first number does.
+                    let (chance, place) = match word {
+                        Some(Word::Uniform) => (1.0 / width as f64, place),
+                        Some(Word::Identity) => (f64::from(u8::from(state == to)), place),
                         Some(Word::Reset) => {
-                            start.as_ref().map_or(1.0 / width as f64, |start| start[to])
+                            let start = start.as_ref().map(|start| start[to]);
+                            (start.unwrap_or(1.0 / width as f64), place)
                         }
-                        None if column.is_some() => numbers[0].0,
-                        None if row.is_some() => numbers[to].0,
-                        None => numbers[line * width + to].0,
+                        None if column.is_some() => numbers[0],
+                        None if row.is_some() => (numbers[to].0, place),
+                        None => (numbers[line * width + to].0, numbers[line * width].1),
                     };
                     rows.set(row_index, to, chance, place);
                 }

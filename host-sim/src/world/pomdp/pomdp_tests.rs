@@ -147,6 +147,7 @@ fn what_is_no_pomdp_is_refused_in_one_sentence_with_line_and_column() {
         (changed("0 1\n", "0 1.5\n"), (7, 3), "not at 1.5"),
         (changed("0 1\n", "0 -1\n"), (7, 3), "not at -1"),
         (changed("0 1\n", "0 .9\n"), (7, 1), "sum up to 0.9"),
+        (changed("1 0\n", ".9 0\n"), (8, 1), "sum up to 0.9"),
         (changed("0 1\n", "0 1 0\n"), (8, 3), "should begin here"),
         (
             changed("T: stay identity\n", ""),

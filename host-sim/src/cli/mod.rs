@@ -1,11 +1,16 @@
 //! The command line, declared: names, defaults and help of every option, and nothing else.
 //!
 //! To add an experiment: a variant of [`Command`] with its arguments here, and what plan they make in
-//! `options`; what is done with one brain is an [`Errand`].
+//! `options`; whatever is no experiment is an [`Errand`]; arguments that several of them share are in
+//! `args`.
 
-use std::path::PathBuf;
+mod args;
+mod errand;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Parser, Subcommand};
+
+pub use args::{BudgetArgs, LiveArgs, OutArgs, SeedArgs, WorldArgs};
+pub use errand::Errand;
 
 /// Robots that build their own world: the experiments of Chaput 2004, with their verdicts.
 ///
@@ -124,6 +129,18 @@ pub enum Command {
         #[command(flatten)]
         out: OutArgs,
     },
+    /// Any learner in any world, or in that of a file, damaged in mid-life; all settings by name.
+    Live {
+        /// Which lives [default: 100, or what the file says].
+        #[arg(long, value_name = "A..B", allow_negative_numbers = true)]
+        seeds: Option<String>,
+        /// Who lives where.
+        #[command(flatten)]
+        live: LiveArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// The brain on emulated microcontrollers: the same bits, what it costs, others beside it.
     Mcu {
         /// Which lives.
@@ -167,120 +184,4 @@ pub enum Command {
     /// No experiment.
     #[command(flatten)]
     Errand(Errand),
-}
-
-/// What is done with one brain, beside the experiments.
-#[derive(Clone, Debug, Subcommand)]
-pub enum Errand {
-    /// Train one Pioneer for a while, and keep its brain in a file or go on with one.
-    Train {
-        /// The seed of the world, and of the brain unless it is loaded.
-        #[arg(long, value_name = "N", default_value_t = 100)]
-        seed: u64,
-        /// Where it lives.
-        #[command(flatten)]
-        world: Box<WorldArgs>,
-        /// How it learns, unless it is loaded: book, forager, forager-level2, resilient or
-        /// resilient-level2.
-        #[arg(long, value_name = "NAME", default_value = "forager")]
-        brain: String,
-        /// Own actions.
-        #[arg(long, value_name = "N", default_value_t = 10_000)]
-        actions: u32,
-        /// End training first and adapt in this way: frozen, reliabilities or relearning.
-        #[arg(long, value_name = "HOW")]
-        act: Option<String>,
-        /// Go on with the brain of this file; the world begins anew.
-        #[arg(long, value_name = "FILE")]
-        load: Option<PathBuf>,
-        /// Keep the brain in this file, in place of what it held.
-        #[arg(long, value_name = "FILE")]
-        save: Option<PathBuf>,
-    },
-    /// Show what a kept brain knows: items, schemas by value and reliability, habits, beliefs.
-    Inspect {
-        /// The brain's file.
-        file: PathBuf,
-        /// Rows of each table.
-        #[arg(long, value_name = "N", default_value_t = 20)]
-        most: usize,
-    },
-}
-
-/// Where the files of a run go, and what is printed.
-#[derive(Clone, Debug, Args)]
-pub struct OutArgs {
-    /// Directory for report.html, summary.json, trials.jsonl and the figures [default: `runs/`, the experiment and
-    /// the time; `latest` leads to it].
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Replace the run that the directory holds.
-    #[arg(long, requires = "out")]
-    pub force: bool,
-    /// Go on with the run that the directory holds, or with the latest; to the bit as if it had never
-    /// been interrupted.
-    #[arg(long, conflicts_with = "force")]
-    pub resume: bool,
-    /// Print all tables and claims, not only the summary of ten lines.
-    #[arg(long)]
-    pub table: bool,
-}
-
-/// The seeds of a run.
-#[derive(Clone, Debug, Args)]
-pub struct SeedArgs {
-    /// Seeds, without the last: 100..120 are twenty; or a single one.
-    #[arg(
-        long,
-        value_name = "A..B",
-        default_value = "100",
-        allow_negative_numbers = true
-    )]
-    pub seeds: String,
-}
-
-/// What the brain may cost on a microcontroller.
-#[derive(Clone, Debug, Args)]
-pub struct BudgetArgs {
-    /// Limits that the run must keep: instructions of a control step, bytes of RAM of the brain; N
-    /// is a number, or one with k (1000) or KiB (1024).
-    #[arg(long, value_name = "instructions=N,ram=N", value_delimiter = ',')]
-    pub budget: Vec<String>,
-    /// The processor whose instructions are estimated: cortex-m4f, cortex-m0+ or rv32imac.
-    #[arg(long, value_name = "NAME", default_value = "cortex-m4f")]
-    pub processor: String,
-}
-
-/// The Pioneer's world.
-#[derive(Clone, Debug, Args)]
-pub struct WorldArgs {
-    /// The set of parameters that the options below change: noisy or noise-free.
-    #[arg(long, value_name = "NAME", default_value = "noisy")]
-    pub world: String,
-    /// Radius of the room, metres [noisy: 5].
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
-    pub radius: Option<f64>,
-    /// Specimens in a random layout [noisy: 28].
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub specimens: Option<usize>,
-    /// Distance of one `forward`, metres [noisy: 0.5].
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
-    pub forward: Option<f64>,
-    /// Probability that a blob is missed in one percept [noisy: 0.17].
-    #[arg(long, value_name = "P", allow_negative_numbers = true)]
-    pub drop_out: Option<f64>,
-    /// Standard deviation of a drive's distance, as a share of it [noisy: 0.03].
-    #[arg(long, value_name = "SHARE", allow_negative_numbers = true)]
-    pub step_noise: Option<f64>,
-    /// Standard deviation of a turn, degrees [noisy: 0.5].
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
-    pub turn_noise: Option<f64>,
-    /// Specimens that are taken are gone, instead of appearing elsewhere.
-    #[arg(long)]
-    pub removed: bool,
-    /// File with the places of the specimens, instead of random ones: the robot's heading in degrees
-    /// on a line, then a line `x y` for each, metres from the room's centre, where the robot stands;
-    /// `#` begins a comment.
-    #[arg(long, value_name = "FILE")]
-    pub layout: Option<PathBuf>,
 }

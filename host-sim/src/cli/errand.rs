@@ -1,0 +1,45 @@
+//! What is done beside the experiments: the command lines of errands.
+
+use std::path::PathBuf;
+
+use clap::Subcommand;
+
+use super::args::WorldArgs;
+
+/// What is done with one brain, beside the experiments.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Errand {
+    /// Train one Pioneer for a while, and keep its brain in a file or go on with one.
+    Train {
+        /// The seed of the world, and of the brain unless it is loaded.
+        #[arg(long, value_name = "N", default_value_t = 100)]
+        seed: u64,
+        /// Where it lives.
+        #[command(flatten)]
+        world: Box<WorldArgs>,
+        /// How it learns, unless it is loaded: book, forager, forager-level2, resilient or
+        /// resilient-level2.
+        #[arg(long, value_name = "NAME", default_value = "forager")]
+        brain: String,
+        /// Own actions.
+        #[arg(long, value_name = "N", default_value_t = 10_000)]
+        actions: u32,
+        /// End training first and adapt in this way: frozen, reliabilities or relearning.
+        #[arg(long, value_name = "HOW")]
+        act: Option<String>,
+        /// Go on with the brain of this file; the world begins anew.
+        #[arg(long, value_name = "FILE")]
+        load: Option<PathBuf>,
+        /// Keep the brain in this file, in place of what it held.
+        #[arg(long, value_name = "FILE")]
+        save: Option<PathBuf>,
+    },
+    /// Show what a kept brain knows: items, schemas by value and reliability, habits, beliefs.
+    Inspect {
+        /// The brain's file.
+        file: PathBuf,
+        /// Rows of each table.
+        #[arg(long, value_name = "N", default_value_t = 20)]
+        most: usize,
+    },
+}

@@ -1,0 +1,61 @@
+//! Lives by settings: what a file says, then what the command line says.
+
+use serde_json::Value;
+
+use super::shared::seeds;
+use crate::cli::{LiveArgs, SeedArgs};
+use crate::experiment::live::LiveOptions;
+use crate::failure::Impossible;
+use crate::settings::{self, empty, pair, put};
+
+/// The lives that are asked for; their seeds stand in the file when the command line has none.
+///
+/// # Errors
+/// [`Impossible`] for the first thing that cannot be.
+pub(super) fn live(asked: Option<&String>, args: &LiveArgs) -> Result<LiveOptions, Impossible> {
+    let mut given = given(args)?;
+    let written = given.as_object_mut().and_then(|it| it.remove("seeds"));
+    let text = match (asked, written) {
+        (Some(text), _) => text.clone(),
+        (None, Some(Value::String(text))) => text,
+        (None, Some(Value::Number(number))) => number.to_string(),
+        (None, Some(other)) => {
+            let sentence = format!("seeds are a text such as \"100..110\", not {other}");
+            return Err(Impossible::new(sentence));
+        }
+        (None, None) => "100".to_owned(),
+    };
+    LiveOptions::new(seeds(&SeedArgs { seeds: text })?, given)
+}
+
+/// All settings that are given, as a tree.
+///
+/// # Errors
+/// [`Impossible`] for a file or a setting that cannot be read.
+pub(super) fn given(args: &LiveArgs) -> Result<Value, Impossible> {
+    let mut tree = match &args.config {
+        Some(path) => settings::read(path)?,
+        None => empty(),
+    };
+    // Another world or agent than that of the file begins with its own settings.
+    for (part, name) in [("world", &args.world), ("agent", &args.agent)] {
+        if let Some(name) = name {
+            let was = tree.get(part).and_then(|it| it.get("name"));
+            if was.is_some_and(|was| was != name.as_str()) {
+                put(&mut tree, part, empty())?;
+            }
+            put(&mut tree, &format!("{part}.name"), name.as_str().into())?;
+        }
+    }
+    if !args.rival.is_empty() {
+        put(&mut tree, "rivals", args.rival.clone().into())?;
+    }
+    if !args.damage.is_empty() {
+        put(&mut tree, "damages", args.damage.clone().into())?;
+    }
+    for text in &args.set {
+        let (key, value) = pair(text)?;
+        put(&mut tree, key, value)?;
+    }
+    Ok(tree)
+}

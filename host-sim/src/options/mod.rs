@@ -1,0 +1,186 @@
+//! The command line, validated: only what can be run gets through.
+//!
+//! Whatever is impossible is an [`Impossible`]: one sentence, exit code 2, and nothing has been
+//! written or trained yet.
+
+mod live;
+mod shared;
+mod training;
+
+use std::path::Path;
+
+use cla_core::forager;
+use clap::Parser;
+
+use crate::cli::{BudgetArgs, Cli, Command, OutArgs};
+use crate::device::budget::Budget;
+use crate::experiment::angle::{Angle, AngleOptions};
+use crate::experiment::calibrate::{Calibrate, CalibrateOptions};
+use crate::experiment::causal::{Causal, CausalOptions};
+use crate::experiment::forage::{Forage, ForageOptions};
+use crate::experiment::hil::{Hil, HilOptions};
+use crate::experiment::live::Live;
+use crate::experiment::mcu::{Mcu, McuOptions};
+use crate::experiment::microworld::{Chapter5, MicroworldOptions, Pursuit, PursuitOptions};
+use crate::experiment::noted::{Plan, Planned};
+use crate::experiment::one::{One, OneOptions};
+use crate::experiment::plan::Experiment;
+use crate::experiment::recover::{Recover, RecoverOptions};
+use crate::failure::{Failure, Impossible};
+use crate::progress::Progress;
+use crate::report::{Begin, Journal, Place, Results};
+
+pub use shared::{seeds, world};
+pub use training::training;
+
+/// An experiment with options that can be run, and where its files go.
+#[derive(Debug)]
+pub struct Order {
+    /// What to run.
+    pub plan: Box<dyn Planned>,
+    /// Where its files go.
+    pub place: Place,
+    /// What its brain may cost; `None` where there is no brain with a budget.
+    pub budget: Option<Budget>,
+    /// Whether all tables and claims are printed.
+    pub table: bool,
+}
+
+/// A plan and the arguments that all experiments share: where its files go, what its brain may cost.
+type Asked<'a> = (Box<dyn Planned>, &'a OutArgs, Option<&'a BudgetArgs>);
+
+impl Order {
+    /// Checks everything that can be checked without running.
+    ///
+    /// # Errors
+    /// [`Impossible`] for the first thing that cannot be.
+    pub fn new(cli: &Cli) -> Result<Self, Impossible> {
+        let Some(command) = &cli.command else {
+            // What the parser makes of the name alone: every default from one place.
+            let forage = Cli::try_parse_from(["host-sim", "forage"]);
+            return Self::new(&forage.map_err(Impossible::new)?);
+        };
+        let (plan, out, budget) = asked(command)?;
+        let budget = budget
+            .map(|args| Budget::new(&args.budget, &args.processor))
+            .transpose()?;
+        Ok(Self {
+            place: Place {
+                home: Path::new("runs").join(plan.name()),
+                asked: out.out.clone(),
+                begin: match (out.force, out.resume) {
+                    (_, true) => Begin::Resume,
+                    (true, false) => Begin::Force,
+                    (false, false) => Begin::Fresh,
+                },
+            },
+            plan,
+            budget,
+            table: out.table,
+        })
+    }
+
+    /// Runs the plan, and holds what it cost against its budget.
+    ///
+    /// # Errors
+    /// [`Failure`] when it fails, or its brain is too large; nothing has been written.
+    pub fn run(&self, progress: &Progress, journal: &Journal) -> Result<Results, Failure> {
+        let Some(budget) = &self.budget else {
+            return self.plan.run(progress, journal);
+        };
+        // All of them run the same brain.
+        let bytes = forager::pioneer::RAM;
+        budget.check_ram(bytes)?;
+        Ok(budget.judge(self.plan.run(progress, journal)?, bytes))
+    }
+}
+
+/// What a command asks for: the one place where arguments become options.
+fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
+    Ok(match command {
+        Command::Forage {
+            seeds: which,
+            world: place,
+            actions,
+            test_actions,
+            budget,
+            out,
+        } => {
+            let options = ForageOptions::new(seeds(which)?, world(place)?, *actions, *test_actions);
+            (plan::<Forage>(options?), out, Some(budget))
+        }
+        Command::Calibrate { out } => (plan::<Calibrate>(CalibrateOptions::standard()), out, None),
+        Command::Causal { seeds: which, out } => {
+            let options = CausalOptions::standard(seeds(which)?);
+            (plan::<Causal>(options), out, None)
+        }
+        Command::Angle { seeds: which, out } => {
+            let options = AngleOptions::standard(seeds(which)?);
+            (plan::<Angle>(options), out, None)
+        }
+        Command::Recover {
+            damage,
+            seeds: which,
+            world: place,
+            budget,
+            out,
+        } => {
+            let options = RecoverOptions::new(seeds(which)?, world(place)?, damage)?;
+            (plan::<Recover>(options), out, Some(budget))
+        }
+        Command::Microworld {
+            seeds: which,
+            goal,
+            out,
+        } => match (goal, seeds(which)?) {
+            (Some(goal), seeds) => {
+                let first = seeds.first().copied().unwrap_or_default();
+                (
+                    plan::<Pursuit>(PursuitOptions::new(first, goal)?),
+                    out,
+                    None,
+                )
+            }
+            (None, seeds) => (plan::<Chapter5>(MicroworldOptions { seeds }), out, None),
+        },
+        Command::One {
+            seeds: which,
+            parts,
+            long,
+            out,
+        } => {
+            let options = OneOptions::new(seeds(which)?, parts, *long)?;
+            (plan::<One>(options), out, None)
+        }
+        Command::Live {
+            seeds: which,
+            live: args,
+            out,
+        } => (plan::<Live>(live::live(which.as_ref(), args)?), out, None),
+        Command::Mcu {
+            seeds: which,
+            budget,
+            out,
+        } => {
+            let options = McuOptions {
+                seeds: seeds(which)?,
+            };
+            (plan::<Mcu>(options), out, Some(budget))
+        }
+        Command::Hil {
+            seeds: which,
+            actions,
+            test_actions,
+            budget,
+            out,
+        } => {
+            let options = HilOptions::new(seeds(which)?, *actions, *test_actions)?;
+            (plan::<Hil>(options), out, Some(budget))
+        }
+        Command::Errand(_) => return Err(Impossible::new("this is no experiment")),
+    })
+}
+
+fn plan<E: Experiment + std::fmt::Debug + 'static>(options: E::Options) -> Box<dyn Planned> {
+    Box::new(Plan::<E>(options))
+}

@@ -1,0 +1,60 @@
+//! The training of one brain.
+
+use cla_core::agent::{Adaptation, AgentConfig};
+
+use super::shared::world;
+use crate::cli::Errand;
+use crate::failure::Impossible;
+use crate::keeping::Training;
+use crate::world::setting::MOST_ACTIONS;
+
+/// The training of one brain that the arguments ask for.
+///
+/// # Errors
+/// [`Impossible`] for the first thing that cannot be.
+pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
+    let Errand::Train {
+        seed,
+        world: place,
+        brain,
+        actions,
+        act,
+        load,
+        save,
+    } = errand
+    else {
+        return Ok(None);
+    };
+    if *actions > MOST_ACTIONS {
+        let sentence = format!("--actions must be at most {MOST_ACTIONS}, not {actions}");
+        return Err(Impossible::new(sentence));
+    }
+    let no = |option: &str, names: &str, it: &str| {
+        Impossible::new(format!("{option} is {names}, not {it:?}"))
+    };
+    Ok(Some(Training {
+        seed: *seed,
+        world: world(place)?,
+        brain: match brain.as_str() {
+            "book" => AgentConfig::BOOK,
+            "forager" => AgentConfig::FORAGER,
+            "forager-level2" => AgentConfig::FORAGER_LEVEL2,
+            "resilient" => AgentConfig::RESILIENT,
+            "resilient-level2" => AgentConfig::RESILIENT_LEVEL2,
+            other => {
+                let names = "book, forager, forager-level2, resilient or resilient-level2";
+                return Err(no("--brain", names, other));
+            }
+        },
+        actions: *actions,
+        act: match act.as_deref() {
+            None => None,
+            Some("frozen") => Some(Adaptation::Frozen),
+            Some("reliabilities") => Some(Adaptation::Reliabilities),
+            Some("relearning") => Some(Adaptation::Relearning),
+            Some(other) => return Err(no("--act", "frozen, reliabilities or relearning", other)),
+        },
+        load: load.clone(),
+        save: save.clone(),
+    }))
+}
