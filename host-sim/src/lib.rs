@@ -11,4 +11,5 @@ pub mod options;
 pub mod progress;
 pub mod report;
 pub mod settings;
+pub mod whole;
 pub mod world;

@@ -37,7 +37,13 @@ fn main() -> ExitCode {
 /// What is done with one brain.
 fn do_errand(errand: &Errand) -> ExitCode {
     let done = match errand {
-        Errand::Inspect { file, most } => keeping::inspect(file, *most),
+        Errand::Inspect { file, most, page } => keeping::inspect(file, *most, page.as_deref()),
+        Errand::Diff {
+            before,
+            after,
+            most,
+        } => keeping::diff(before, after, *most),
+        Errand::Export { file, out, .. } => keeping::export(file, out.as_deref()),
         Errand::Train { .. } => match options::training(errand) {
             Ok(Some(training)) => keeping::train(&training),
             Ok(None) => Ok(String::new()),
@@ -61,7 +67,10 @@ fn say(text: &str) -> Result<(), Failure> {
 
 fn run(order: &Order) -> Result<ExitCode, Failure> {
     let circumstances = Circumstances::begin();
-    let progress = Progress::of_program()?;
+    let mut progress = Progress::of_program()?;
+    if let Some(folder) = &order.brains {
+        progress = progress.keeping_brains(folder)?;
+    }
     let (output, journal) = order.place.open()?;
     let directory = output.directory().display();
     let mut results = match order.run(&progress, &journal) {

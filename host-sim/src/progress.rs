@@ -4,8 +4,10 @@
 //! A terminal shows a bar; elsewhere standard error gets a line a minute.
 //! The first SIGINT or SIGTERM ends the work where it next counts a step; the second ends the process.
 
+use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -14,6 +16,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 use signal_hook::consts::TERM_SIGNALS;
 use signal_hook::flag;
+
+use crate::failure::Failure;
+use crate::whole::write;
 
 /// From one line to the next where there is no terminal.
 const A_LINE: Duration = Duration::from_secs(60);
@@ -24,6 +29,8 @@ pub struct Progress {
     shown: Shown,
     /// The number of the signal that ends the work; 0 for none yet.
     signal: Arc<AtomicUsize>,
+    /// Where brains are kept.
+    brains: Option<Arc<Path>>,
 }
 
 /// How progress is shown.
@@ -44,6 +51,7 @@ pub struct Ticker {
     /// Lines written so far.
     lines: Arc<AtomicU64>,
     signal: Arc<AtomicUsize>,
+    brains: Option<Arc<Path>>,
 }
 
 /// What unwinds a job that is interrupted.
@@ -62,6 +70,23 @@ impl Ticker {
         if self.shown == Shown::Lines {
             self.line(self.begun.elapsed());
         }
+    }
+
+    /// Keeps the image of a brain in a file of this name, where brains are kept; elsewhere it is not
+    /// asked for. A trial measures the same with it and without.
+    ///
+    /// # Errors
+    /// When there is no such image, or it cannot be written.
+    pub fn keep(
+        &self,
+        name: &str,
+        image: impl FnOnce() -> Result<Option<Vec<u8>>, Failure>,
+    ) -> Result<(), Failure> {
+        let Some(folder) = &self.brains else {
+            return Ok(());
+        };
+        let image = image()?.ok_or_else(|| format!("{name} has no image"))?;
+        write(&folder.join(format!("{name}.brain")), &image)
     }
 
     /// Writes a line when one is due.
@@ -120,7 +145,21 @@ impl Progress {
         Self {
             shown: Shown::Nowhere,
             signal: Arc::new(AtomicUsize::new(0)),
+            brains: None,
         }
+    }
+
+    /// The same, and trained brains are kept in this folder.
+    ///
+    /// # Errors
+    /// When there is no such folder and it cannot be made.
+    pub fn keeping_brains(self, folder: &Path) -> Result<Self, Failure> {
+        let failed = |error| format!("cannot make {}: {error}", folder.display());
+        fs::create_dir_all(folder).map_err(failed)?;
+        Ok(Self {
+            brains: Some(folder.into()),
+            ..self
+        })
     }
 
     /// The number of the signal that has interrupted the work.
@@ -197,6 +236,7 @@ impl Progress {
             begun: Instant::now(),
             lines: Arc::new(AtomicU64::new(0)),
             signal: Arc::clone(&self.signal),
+            brains: self.brains.clone(),
         }
     }
 }

@@ -108,6 +108,7 @@ fn a_brain_is_trained_kept_gone_on_with_and_looked_into() {
     for word in [
         "Training",
         "ingrip",
+        "agent of the forager",
         "10.00",
         "/forward/",
         "synthetic items",
@@ -115,6 +116,89 @@ fn a_brain_is_trained_kept_gone_on_with_and_looked_into() {
     ] {
         assert!(seen.contains(word), "{word}: {seen}");
     }
+}
+
+#[test]
+fn a_mind_is_trained_kept_gone_on_with_and_looked_into() {
+    let folder = Folder::new("mind");
+    let first = said(&folder, "train --actions 1500 --brain mind --save a.brain");
+    assert!(first.contains("trained for 1500 actions") && first.contains("leaves"));
+    // The file says what it is.
+    let go_on = "train --actions 300 --act relearning --load a.brain --save";
+    let second = said(&folder, &format!("{go_on} b.brain"));
+    assert!(second.contains("loaded a.brain") && second.contains("acted for 300"));
+    assert_eq!(
+        said(&folder, &format!("{go_on} c.brain")),
+        second.replace("b.brain", "c.brain")
+    );
+    let read = |name: &str| fs::read(folder.0.join(name)).unwrap();
+    assert!(read("b.brain") == read("c.brain") && read("a.brain") != read("b.brain"));
+    let seen = said(&folder, "inspect a.brain --most 5 --page a.html");
+    for word in [
+        "mind of the forager",
+        "Training",
+        "ingrip",
+        "10.00",
+        "/forward/",
+        "samples 15",
+    ] {
+        assert!(seen.contains(word), "{word}: {seen}");
+    }
+    assert!(
+        fs::read_to_string(folder.0.join("a.html"))
+            .unwrap()
+            .contains("<svg class=\"graph\"")
+    );
+    let exported = said(&folder, "export a.brain --json");
+    let whole: serde_json::Value = serde_json::from_str(&exported).unwrap();
+    assert_eq!(whole["kind"], "mind");
+    assert_eq!(whole["items"].as_array().unwrap().len(), 7);
+    said(&folder, "export a.brain --json --out a.json");
+    assert_eq!(
+        fs::read_to_string(folder.0.join("a.json")).unwrap(),
+        exported
+    );
+}
+
+#[test]
+fn a_difference_names_what_was_learned_lost_and_revalued() {
+    let folder = Folder::new("diff");
+    said(
+        &folder,
+        "train --actions 1000 --brain forager-level2 --save a.brain",
+    );
+    said(
+        &folder,
+        "train --actions 1000 --load a.brain --save b.brain",
+    );
+    let same = said(&folder, "diff a.brain a.brain");
+    for none in [
+        "learned: 0",
+        "lost: 0",
+        "revalued: 0",
+        "items and habits: 0",
+    ] {
+        assert!(same.contains(none), "{same}");
+    }
+    let there = said(&folder, "diff a.brain b.brain --most 100000");
+    let back = said(&folder, "diff b.brain a.brain --most 100000");
+    let rows = |text: &str, part: &str| -> Vec<String> {
+        let begins = text.lines().skip_while(|it| !it.starts_with(part));
+        let rows = begins.skip(1).take_while(|it| !it.is_empty());
+        let mut rows: Vec<String> = rows.map(str::to_owned).collect();
+        rows.sort();
+        rows
+    };
+    assert!(rows(&there, "learned:").len() > 10, "{there}");
+    // What is learned one way is lost the other way.
+    assert_eq!(rows(&there, "learned:"), rows(&back, "lost:"));
+    assert_eq!(rows(&there, "lost:"), rows(&back, "learned:"));
+    assert!(there.contains("habit forward of s3"), "{there}");
+    said(&folder, "train --actions 100 --brain mind --save m.brain");
+    let output = run(&folder, "diff a.brain m.brain");
+    assert_eq!(output.status.code(), Some(1));
+    let sentence = String::from_utf8(output.stderr).unwrap();
+    assert!(sentence.contains("nothing to compare"), "{sentence}");
 }
 
 #[test]

@@ -5,10 +5,12 @@
 use std::fs;
 use std::process::Command;
 
+use cla_core::agent::AgentConfig;
 use host_sim::experiment::calibrate::{Calibrate, CalibrateOptions};
 use host_sim::experiment::plan::run;
 use host_sim::experiment::recover::life::Protocol;
 use host_sim::experiment::recover::{Recover, RecoverOptions};
+use host_sim::keeping::{Raised, Training, inspect, train};
 use host_sim::progress::Progress;
 use host_sim::report::escaped;
 use host_sim::world::config::PioneerConfig;
@@ -119,6 +121,12 @@ fn look(browser: &str, name: &str, page: &str) -> Vec<Value> {
 }
 
 fn fits(name: &str, found: &[Value]) {
+    let images = found.iter().all(|it| it["images"].as_i64() > Some(0));
+    assert!(images, "{name}: {found:?}");
+    fits_with_or_without_images(name, found);
+}
+
+fn fits_with_or_without_images(name: &str, found: &[Value]) {
     assert_eq!(found.len(), 2, "{name}: {found:?}");
     for (found, width) in found.iter().zip([390, 1280]) {
         // A frame that is long enough to scroll up and down may show a bar for it.
@@ -126,7 +134,6 @@ fn fits(name: &str, found: &[Value]) {
         assert!((width - 20..=width).contains(&inner), "{name}: {found}");
         assert_eq!(found["scroll"], found["width"], "{name}: {found}");
         assert_eq!(found["wide"], serde_json::json!([]), "{name} at {width}");
-        assert!(found["images"].as_i64() > Some(0), "{name}: {found}");
         assert_eq!(found["broken"], 0, "{name}: {found}");
         assert_eq!(
             found["unsorted"],
@@ -175,4 +182,48 @@ fn pages_fit_a_telephone_and_a_desk_and_their_tables_sort() {
         // Thirty actions before the damage, of the six hundred that are shown.
         assert_eq!(found["played"], "570 570", "{found}");
     }
+}
+
+#[test]
+fn the_pages_of_brains_fit_a_telephone_and_a_desk_and_their_tables_sort() {
+    let Some(browser) = browser() else {
+        println!("skipped: there is no Chromium to look at pages with");
+        return;
+    };
+    let folder = std::env::temp_dir().join(format!("host-sim-brains-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    let brains = [
+        ("agent", Raised::Agent(AgentConfig::FORAGER_LEVEL2)),
+        ("mind", Raised::Mind),
+    ];
+    for (name, brain) in brains {
+        let (file, page) = (folder.join(name), folder.join(format!("{name}.html")));
+        train(&Training {
+            seed: 3,
+            world: WorldOptions::new(PioneerConfig::NOISY, None).expect("a world"),
+            brain,
+            actions: 3000,
+            act: None,
+            load: None,
+            save: Some(file.clone()),
+        })
+        .expect("it can be trained");
+        inspect(&file, 5, Some(&page)).expect("it can be looked into");
+        let page = fs::read_to_string(&page).expect("there is a page");
+        for part in [
+            "<svg class=\"graph\"",
+            "perceived",
+            "<h2>Health</h2>",
+            "ingrip",
+        ] {
+            assert!(page.contains(part), "{name}: {part}");
+        }
+        assert!(
+            !page
+                .replace("http://www.w3.org/2000/svg", "")
+                .contains("http")
+        );
+        fits_with_or_without_images(name, &look(browser, name, &page));
+    }
+    fs::remove_dir_all(&folder).expect("the folder can be removed");
 }

@@ -134,10 +134,11 @@ fn each_storey_of_the_core_imports_only_storeys_below() {
 }
 
 /// The storeys of the simulator, each with those that it may stand on.
-const SIMULATOR: [(&str, &[&str]); 13] = [
+const SIMULATOR: [(&str, &[&str]); 14] = [
     ("failure", &[]),
     ("settings", &["failure"]),
-    ("progress", &[]),
+    ("whole", &["failure"]),
+    ("progress", &["failure", "whole"]),
     ("report", &[]),
     ("world", &["failure"]),
     ("device", &["failure", "report"]),
@@ -149,7 +150,10 @@ const SIMULATOR: [(&str, &[&str]); 13] = [
             "baseline", "device", "failure", "learner", "progress", "report", "settings", "world",
         ],
     ),
-    ("keeping", &["failure", "learner", "world"]),
+    (
+        "keeping",
+        &["failure", "learner", "report", "whole", "world"],
+    ),
     ("cli", &[]),
     (
         "options",

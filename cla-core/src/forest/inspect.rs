@@ -3,10 +3,31 @@
 //! Nothing here changes anything.
 
 use super::config::Voice;
-use super::mind::Mind;
+use super::mind::{Age, Mind};
 use super::moment::Feature;
 use super::tree::DEEP;
 use crate::word::{ActionId, ItemId, ItemSet};
+
+/// How far the tables of a mind are filled, each with its capacity.
+///
+/// ```
+/// use cla_core::forest::Mind;
+/// let mind = Mind::<1, 2, 2, 32, 16, 32, 64, 256>::new();
+/// assert_eq!(mind.filled().states, (0, 64));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Filled {
+    /// Samples in memory.
+    pub samples: (u32, u32),
+    /// Leaves of the newest trees.
+    pub leaves: (u32, u32),
+    /// Rows of the habits that some step has.
+    pub rows: (u32, u32),
+    /// States of the model.
+    pub states: (u32, u32),
+    /// Links between them.
+    pub links: (u32, u32),
+}
 
 impl<
     const WORDS: usize,
@@ -71,6 +92,39 @@ impl<
             self.forest.leaves(),
             self.forest.grown(),
         )
+    }
+
+    /// How far its tables are filled.
+    #[must_use]
+    pub fn filled(&self) -> Filled {
+        let (states, links) = self.model.filled();
+        Filled {
+            samples: (u32::from(self.forest.samples()), 16 * STRETCHES as u32),
+            leaves: (u32::from(self.forest.leaves()), LEAVES as u32),
+            rows: (self.habits.rows(), ROWS as u32),
+            states: (states, STATES as u32),
+            links: (links, LINKS as u32),
+        }
+    }
+
+    /// What an item is worth when it is on after an action, negative for harm; 0 for one that it does
+    /// not have.
+    #[must_use]
+    pub fn value(&self, item: ItemId) -> f32 {
+        let value = self.values.get(usize::from(item.0));
+        value.copied().unwrap_or(0.0)
+    }
+
+    /// What an item that is on adds to what habits hold each action to be worth, in discounted rewards.
+    #[must_use]
+    pub fn habit(&self, item: ItemId) -> [f32; ACTIONS] {
+        self.habits.of_item(item)
+    }
+
+    /// Whether its training is over.
+    #[must_use]
+    pub fn acts(&self) -> bool {
+        self.age == Age::Acting
     }
 
     /// The track record of a voice: what an action under it brought, now and later, and in how many

@@ -40,6 +40,7 @@ pub use budget::WorkBudget;
 pub use capacities::{Capacities, Thoughts};
 pub use config::{Doubting, Heard, MindConfig, Voice};
 pub use goals::Explanation;
+pub use inspect::Filled;
 pub use mind::Mind;
 pub use moment::Feature;
 pub use step::{Actions, Deliberation, MOST_REWARD, MindError, Motive, Taught};

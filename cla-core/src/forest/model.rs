@@ -131,6 +131,31 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
         self.given_up
     }
 
+    /// Rows and links that are in use.
+    pub(super) fn filled(&self) -> (u32, u32) {
+        let mut rows = 0;
+        for row in &self.rows {
+            rows += u32::from(row.key != 0);
+        }
+        let mut links = 0;
+        for row in &self.rows {
+            for first in row.links {
+                links += self.length(first);
+            }
+        }
+        (rows, links)
+    }
+
+    /// Links behind each other; never more than there are.
+    fn length(&self, first: u16) -> u32 {
+        let (mut place, mut length) = (first, 0);
+        while place != NONE && (length as usize) < LINKS {
+            place = self.link(place).map_or(NONE, |it| it.next);
+            length += 1;
+        }
+        length
+    }
+
     fn place(key: u32, probe: u32) -> usize {
         let place = (u64::from(key) * STATES as u64) >> 32;
         (place as usize + probe as usize) % STATES.max(1)

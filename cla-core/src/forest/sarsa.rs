@@ -9,7 +9,7 @@
 use super::growth::mix;
 use super::moment::{Moment, NO_ACTION};
 use crate::snapshot::stored;
-use crate::word::ItemSet;
+use crate::word::{ItemId, ItemSet};
 
 /// Deeds that are felt; what is older has faded to a ten-thousandth.
 const FELT: usize = 24;
@@ -172,6 +172,21 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
             }
         }
         worth
+    }
+
+    /// Rows that some step has.
+    pub(super) fn rows(&self) -> u32 {
+        let mut rows = 0;
+        for owner in self.owners {
+            rows += u32::from(owner != 0);
+        }
+        rows
+    }
+
+    /// What an item that is on adds to each action.
+    pub(super) fn of_item(&self, item: ItemId) -> [f32; ACTIONS] {
+        let worth = self.items.get(usize::from(item.0));
+        worth.copied().unwrap_or([0.0; ACTIONS])
     }
 
     /// The share of steps that find their row taken by another step, a running mean over some 500.

@@ -21,6 +21,9 @@ pub struct OutArgs {
     /// Print all tables and claims, not only the summary of ten lines.
     #[arg(long)]
     pub table: bool,
+    /// Keep the trained brains of every trial that is made as files in this directory; see inspect.
+    #[arg(long, value_name = "DIR")]
+    pub save_brains: Option<PathBuf>,
 }
 
 /// The seeds of a run.

@@ -17,8 +17,8 @@ pub enum Errand {
         /// Where it lives.
         #[command(flatten)]
         world: Box<WorldArgs>,
-        /// How it learns, unless it is loaded: book, forager, forager-level2, resilient or
-        /// resilient-level2.
+        /// How it learns, unless it is loaded: book, forager, forager-level2, resilient,
+        /// resilient-level2, or mind for the one learner.
         #[arg(long, value_name = "NAME", default_value = "forager")]
         brain: String,
         /// Own actions.
@@ -34,12 +34,36 @@ pub enum Errand {
         #[arg(long, value_name = "FILE")]
         save: Option<PathBuf>,
     },
-    /// Show what a kept brain knows: items, schemas by value and reliability, habits, beliefs.
+    /// Show what a kept brain knows: health, items, schemas by value and reliability, habits, beliefs.
     Inspect {
         /// The brain's file.
         file: PathBuf,
         /// Rows of each table.
         #[arg(long, value_name = "N", default_value_t = 20)]
         most: usize,
+        /// Write the page of the brain, too: everything, and a graph from sensors to reward.
+        #[arg(long, value_name = "FILE.html")]
+        page: Option<PathBuf>,
+    },
+    /// Show what was learned, lost and revalued from one kept brain to another.
+    Diff {
+        /// The file of the earlier brain.
+        before: PathBuf,
+        /// The file of the later one.
+        after: PathBuf,
+        /// Rows of each list.
+        #[arg(long, value_name = "N", default_value_t = 20)]
+        most: usize,
+    },
+    /// Print what a kept brain knows, for programs.
+    Export {
+        /// The brain's file.
+        file: PathBuf,
+        /// As JSON, which is the only form.
+        #[arg(long, required = true)]
+        json: bool,
+        /// Write it into this file.
+        #[arg(long, value_name = "FILE")]
+        out: Option<PathBuf>,
     },
 }

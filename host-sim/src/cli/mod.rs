@@ -141,6 +141,22 @@ pub enum Command {
         #[command(flatten)]
         out: OutArgs,
     },
+    /// What a failing memory, stops in mid-life and more may not take from a brain.
+    Survive {
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Some parts only, or all; without it those that take minutes at most; a name that is none
+        /// lists them.
+        #[arg(long, value_name = "PART,…", value_delimiter = ',')]
+        part: Vec<String>,
+        /// Everything is tried N times less often and lived N times shorter; nothing is concluded then.
+        #[arg(long, value_name = "N", default_value_t = 1)]
+        shorter: u32,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// The brain on emulated microcontrollers: the same bits, what it costs, others beside it.
     Mcu {
         /// Which lives.

@@ -7,12 +7,14 @@ pub mod forage;
 pub mod hil;
 pub mod live;
 pub mod mcu;
+pub mod measured;
 pub mod microworld;
 pub mod noted;
 pub mod one;
 pub mod plan;
 pub mod record;
 pub mod recover;
+pub mod survive;
 
 use crate::report::Claim;
 
@@ -36,6 +38,7 @@ pub fn declared(experiment: &str) -> Option<Vec<Claim>> {
         "microworld" => Some(microworld::declared()),
         "one" => Some(one::declared()),
         "recover" => Some(recover::declared()),
+        "survive" => Some(survive::declared()),
         _ => None,
     }
 }

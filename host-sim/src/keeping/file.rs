@@ -1,55 +1,25 @@
 //! One brain, one file.
 
-use std::fs::{self, File};
-use std::io::Write;
+use std::fs;
 use std::path::Path;
 
-use cla_core::snapshot::{LoadError, Names, Sink, Snapshot, SourceEnd, load, save};
+use cla_core::snapshot::{Names, Snapshot};
 
 use crate::failure::Failure;
+use crate::learner::image::{image_of, take};
+use crate::whole::write;
 
 /// Most bytes of an image: a brain is smaller by far.
 const MOST_BYTES: u64 = 1 << 28;
 
-/// An image in memory.
-struct Memory(Vec<u8>);
-
-impl Sink for Memory {
-    type Error = std::convert::Infallible;
-
-    fn write(&mut self, piece: &[u8]) -> Result<(), Self::Error> {
-        self.0.extend_from_slice(piece);
-        Ok(())
-    }
-}
-
 /// Keeps a brain in a file, in place of what the file held; answers its bytes.
-///
-/// It is written beside its place, flushed to the disk and renamed, so whoever reads finds the old
-/// brain or the new one.
 ///
 /// # Errors
 /// When the brain is not born or is damaged, or the file cannot be written; the old file stays.
 pub fn keep<B: Snapshot>(brain: &B, names: Names, path: &Path) -> Result<u32, Failure> {
-    let mut image = Memory(Vec::new());
-    let length = save(brain, names, &mut image)?;
-    let failed = |error| format!("cannot write {}: {error}", path.display());
-    let name = path.file_name().ok_or("a brain needs the name of a file")?;
-    let mut beside = name.to_owned();
-    beside.push(format!(".unfinished.{}", std::process::id()));
-    let beside = path.with_file_name(beside);
-    let write = || {
-        let mut file = File::create(&beside)?;
-        file.write_all(&image.0)?;
-        file.sync_all()?;
-        fs::rename(&beside, path)
-    };
-    write().map_err(|error| {
-        // What was begun is of no use to anybody.
-        let _ = fs::remove_file(&beside);
-        failed(error)
-    })?;
-    Ok(length)
+    let image = image_of(brain, names)?;
+    write(path, &image)?;
+    Ok(image.len() as u32)
 }
 
 /// Reads a brain from a file.
@@ -59,13 +29,17 @@ pub fn keep<B: Snapshot>(brain: &B, names: Names, path: &Path) -> Result<u32, Fa
 /// bytes stand behind the image it was taken all the same.
 pub fn recall<B: Snapshot>(brain: &mut B, names: Names, path: &Path) -> Result<u32, Failure> {
     let image = read(path)?;
-    let refused = |it: LoadError<SourceEnd>| format!("{}: {it}", path.display());
-    let length = load(brain, names, &mut &*image).map_err(refused)?;
-    if length as usize != image.len() {
-        // It was taken, and is right; but a file is not a slot of flash.
-        return Err(format!("{}: there are bytes behind the image", path.display()).into());
+    let length = take(brain, names, &image).map_err(|it| format!("{}: {it}", path.display()))?;
+    whole(length, &image, path)
+}
+
+/// Refuses bytes behind an image of this length: a file is not a slot of flash.
+pub(super) fn whole(length: u32, image: &[u8], path: &Path) -> Result<u32, Failure> {
+    if length as usize == image.len() {
+        Ok(length)
+    } else {
+        Err(format!("{}: there are bytes behind the image", path.display()).into())
     }
-    Ok(length)
 }
 
 /// All bytes of a file.

@@ -4,10 +4,12 @@ use cla_core::adaptation::SurpriseConfig;
 use cla_core::agent::{Adaptation, Agent, AgentConfig, Choice, Reason};
 use cla_core::forager::pioneer::{self, Brain, VOCABULARY};
 use cla_core::knowledge::Estimate;
+use cla_core::snapshot::{Names, Stored};
 use cla_core::som::Prototypes;
 use cla_core::word::{ActionId, Cost, Detail, ItemSet, ItemStates};
 
-use super::{Learner, Thought};
+use super::image::{image_of, take};
+use super::{Learner, Thought, Worth};
 use crate::failure::Failure;
 use crate::world;
 
@@ -33,7 +35,7 @@ impl<
     const S: usize,
     const Y: usize,
     const B: usize,
-    M: Prototypes<W, H> + 'static,
+    M: Prototypes<W, H> + Stored + 'static,
 > Learner for Agent<1, 7, W, H, 6, P, S, Y, B, M>
 {
     fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
@@ -63,6 +65,14 @@ impl<
 
     fn cost(&self) -> Option<Cost> {
         Some(Self::cost(self))
+    }
+
+    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
+        image_of(self, names).map(Some)
+    }
+
+    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
+        take(self, names, image)
     }
 }
 
@@ -161,6 +171,23 @@ impl Learner for Forager {
 
     fn alarms(&self) -> u32 {
         self.brain.alarms()
+    }
+
+    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
+        image_of(&*self.brain, names).map(Some)
+    }
+
+    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
+        take(&mut *self.brain, names, image)
+    }
+
+    fn worth(&self, now: &world::Percept) -> Worth {
+        let habits = self.brain.habits();
+        let habits = habits.worth(percept(now).on(), self.brain.trace());
+        Worth {
+            choice: self.last.map_or(0.0, |it| it.value),
+            habit: habits.into_iter().fold(0.0, f32::max),
+        }
     }
 
     fn reason(&self) -> Thought {

@@ -1,10 +1,12 @@
 //! The one learner of `cla-core` as a [`Learner`], with the capacities that all worlds share.
 
 use cla_core::forest::{Mind, MindConfig, Motive};
+use cla_core::snapshot::Names;
 use cla_core::word::ActionId;
 
+use super::image::{image_of, take};
 use super::native::narrowed;
-use super::{Learner, Thought};
+use super::{Learner, Thought, Worth};
 use crate::failure::Failure;
 use crate::world;
 
@@ -118,7 +120,82 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Learner
         self.mind.alarms()
     }
 
+    fn worth(&self, _: &world::Percept) -> Worth {
+        Worth {
+            choice: self.last.value,
+            habit: 0.0,
+        }
+    }
+
+    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
+        image_of(&*self.mind, names).map(Some)
+    }
+
+    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
+        take(&mut *self.mind, names, image)
+    }
+
     fn reason(&self) -> Thought {
         self.last.clone()
+    }
+}
+
+/// A bare mind of any capacity, without a reason.
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+    const ROWS: usize,
+    const STATES: usize,
+    const LINKS: usize,
+> Learner for Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS>
+{
+    fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
+        Ok(usize::from(Self::choose(self, &narrowed(now))?.action.0))
+    }
+
+    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
+        Self::learn(self, &narrowed(now))?;
+        Ok(())
+    }
+
+    fn learn_with(&mut self, now: &world::Percept, reward: f32) -> Result<(), Failure> {
+        Self::learn_with(self, &narrowed(now), reward)?;
+        Ok(())
+    }
+
+    fn interrupt(&mut self) -> Result<(), Failure> {
+        Self::interrupt(self)?;
+        Ok(())
+    }
+
+    fn observe(
+        &mut self,
+        before: &world::Percept,
+        action: usize,
+        after: &world::Percept,
+    ) -> Result<(), Failure> {
+        let action = ActionId(action as u16);
+        Self::observe(self, &narrowed(before), action, &narrowed(after))?;
+        Ok(())
+    }
+
+    fn act(&mut self) -> Result<(), Failure> {
+        Self::act(self)?;
+        Ok(())
+    }
+
+    fn alarms(&self) -> u32 {
+        Self::alarms(self)
+    }
+
+    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
+        image_of(self, names).map(Some)
+    }
+
+    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
+        take(self, names, image)
     }
 }

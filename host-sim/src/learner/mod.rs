@@ -7,6 +7,7 @@
 pub mod controller;
 pub mod folded;
 pub mod forager;
+pub mod image;
 pub mod mind;
 pub mod native;
 pub mod rewarded;
@@ -15,6 +16,7 @@ use crate::device::meter::Load;
 use crate::failure::Failure;
 use crate::world::damage::Damage;
 use crate::world::{Percept, World};
+use cla_core::snapshot::Names;
 use cla_core::word::Cost;
 
 /// Something that chooses actions and learns from what they lead to.
@@ -87,10 +89,41 @@ pub trait Learner {
         0
     }
 
+    /// What its last choice was worth, which was made where `now` was sensed.
+    fn worth(&self, _now: &Percept) -> Worth {
+        Worth::default()
+    }
+
+    /// All that makes its next step what it will be, as an image of `cla_core::snapshot`; `None` for
+    /// who has none. `names` are those of its world's items and actions.
+    ///
+    /// # Errors
+    /// When it is not born or is damaged.
+    fn image(&self, _: Names) -> Result<Option<Vec<u8>>, Failure> {
+        Ok(None)
+    }
+
+    /// Goes on from an image; answers its bytes.
+    ///
+    /// # Errors
+    /// When it is no whole image of such a learner, which is as it was then; and for who has none.
+    fn go_on_from(&mut self, _: Names, _image: &[u8]) -> Result<u32, Failure> {
+        Err("this learner has no image".into())
+    }
+
     /// Why the last choice was made, for people.
     fn reason(&self) -> Thought {
         Thought::default()
     }
+}
+
+/// What a choice was worth, in the units of the inherent values.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Worth {
+    /// What the chosen action was held to be worth; 0 when nothing was compared.
+    pub choice: f32,
+    /// What habits alone hold the best action to be worth; 0 without habits.
+    pub habit: f32,
 }
 
 /// The reason of a choice in words and in number.

@@ -4,10 +4,12 @@
 //! It learns from its valued items; rewards beside the percept are not its own.
 
 use cla_core::agent::{Adaptation, Agent};
+use cla_core::snapshot::{Names, Stored};
 use cla_core::som::Prototypes;
 use cla_core::word::{ActionId, Cost, ItemSet, ItemStates};
 
-use super::Learner;
+use super::image::{image_of, take};
+use super::{Learner, Worth};
 use crate::failure::Failure;
 use crate::world;
 
@@ -42,13 +44,18 @@ pub fn narrowed<const WORDS: usize>(now: &world::Percept) -> ItemStates<WORDS> {
 pub struct Native<A> {
     brain: Box<A>,
     adaptation: Adaptation,
+    value: f32,
 }
 
 impl<A> Native<A> {
     /// A brain that has been born.
     #[must_use]
     pub const fn new(brain: Box<A>, adaptation: Adaptation) -> Self {
-        Self { brain, adaptation }
+        Self {
+            brain,
+            adaptation,
+            value: 0.0,
+        }
     }
 
     /// The brain.
@@ -68,11 +75,13 @@ impl<
     const S: usize,
     const Y: usize,
     const B: usize,
-    M: Prototypes<W, H> + 'static,
+    M: Prototypes<W, H> + Stored + 'static,
 > Learner for Native<Agent<WORDS, ITEMS, W, H, ACTIONS, P, S, Y, B, M>>
 {
     fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
-        Ok(usize::from(self.brain.choose(&narrowed(now))?.action.0))
+        let choice = self.brain.choose(&narrowed(now))?;
+        self.value = choice.value;
+        Ok(usize::from(choice.action.0))
     }
 
     fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
@@ -103,5 +112,22 @@ impl<
 
     fn alarms(&self) -> u32 {
         self.brain.alarms()
+    }
+
+    fn worth(&self, now: &world::Percept) -> Worth {
+        let habits = self.brain.habits();
+        let habits = habits.worth(narrowed(now).on(), self.brain.trace());
+        Worth {
+            choice: self.value,
+            habit: habits.into_iter().fold(0.0, f32::max),
+        }
+    }
+
+    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
+        image_of(&*self.brain, names).map(Some)
+    }
+
+    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
+        take(&mut *self.brain, names, image)
     }
 }

@@ -7,7 +7,7 @@ mod live;
 mod shared;
 mod training;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cla_core::forager;
 use clap::Parser;
@@ -26,12 +26,16 @@ use crate::experiment::noted::{Plan, Planned};
 use crate::experiment::one::{One, OneOptions};
 use crate::experiment::plan::Experiment;
 use crate::experiment::recover::{Recover, RecoverOptions};
+use crate::experiment::survive::{Scale, Survive, SurviveOptions};
 use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
 use crate::report::{Begin, Journal, Place, Results};
 
 pub use shared::{seeds, world};
 pub use training::training;
+
+/// The experiments whose trained brains can be kept.
+const BRAINS: [&str; 3] = ["forage", "recover", "one"];
 
 /// An experiment with options that can be run, and where its files go.
 #[derive(Debug)]
@@ -44,6 +48,8 @@ pub struct Order {
     pub budget: Option<Budget>,
     /// Whether all tables and claims are printed.
     pub table: bool,
+    /// Where trained brains are kept.
+    pub brains: Option<PathBuf>,
 }
 
 /// A plan and the arguments that all experiments share: where its files go, what its brain may cost.
@@ -61,6 +67,14 @@ impl Order {
             return Self::new(&forage.map_err(Impossible::new)?);
         };
         let (plan, out, budget) = asked(command)?;
+        if out.save_brains.is_some() && !BRAINS.contains(&plan.name()) {
+            let sentence = format!(
+                "--save-brains: {} has no brains that can be kept; {} have",
+                plan.name(),
+                BRAINS.join(", ")
+            );
+            return Err(Impossible::new(sentence));
+        }
         let budget = budget
             .map(|args| Budget::new(&args.budget, &args.processor))
             .transpose()?;
@@ -77,6 +91,7 @@ impl Order {
             plan,
             budget,
             table: out.table,
+            brains: out.save_brains.clone(),
         })
     }
 
@@ -157,6 +172,18 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
             live: args,
             out,
         } => (plan::<Live>(live::live(which.as_ref(), args)?), out, None),
+        Command::Survive {
+            seeds: which,
+            part,
+            shorter,
+            out,
+        } => {
+            let options = SurviveOptions {
+                shorter: Scale(*shorter),
+                ..SurviveOptions::new(seeds(which)?, part)?
+            };
+            (plan::<Survive>(options), out, None)
+        }
         Command::Mcu {
             seeds: which,
             budget,

@@ -5,7 +5,7 @@ use cla_core::agent::{Adaptation, AgentConfig};
 use super::shared::world;
 use crate::cli::Errand;
 use crate::failure::Impossible;
-use crate::keeping::Training;
+use crate::keeping::{Raised, Training};
 use crate::world::setting::MOST_ACTIONS;
 
 /// The training of one brain that the arguments ask for.
@@ -36,13 +36,14 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
         seed: *seed,
         world: world(place)?,
         brain: match brain.as_str() {
-            "book" => AgentConfig::BOOK,
-            "forager" => AgentConfig::FORAGER,
-            "forager-level2" => AgentConfig::FORAGER_LEVEL2,
-            "resilient" => AgentConfig::RESILIENT,
-            "resilient-level2" => AgentConfig::RESILIENT_LEVEL2,
+            "book" => Raised::Agent(AgentConfig::BOOK),
+            "forager" => Raised::Agent(AgentConfig::FORAGER),
+            "forager-level2" => Raised::Agent(AgentConfig::FORAGER_LEVEL2),
+            "resilient" => Raised::Agent(AgentConfig::RESILIENT),
+            "resilient-level2" => Raised::Agent(AgentConfig::RESILIENT_LEVEL2),
+            "mind" => Raised::Mind,
             other => {
-                let names = "book, forager, forager-level2, resilient or resilient-level2";
+                let names = "book, forager, forager-level2, resilient, resilient-level2 or mind";
                 return Err(no("--brain", names, other));
             }
         },

@@ -26,7 +26,7 @@ mod table;
 pub use circumstances::Circumstances;
 pub use claims::{Claim, Estimator, Origin, Ours, Range, Reference, Tested, Verdict};
 pub use expectation::Expectation;
-pub use html::{Section, escaped};
+pub use html::{Section, escaped, leaf, rows};
 pub use inference::{
     LEVEL, Outcome, Printed, RESAMPLES, binomial_test, holm, median_interval, one_sample_t,
     paired_t, ratio_interval, share_interval, welch_of_printed,

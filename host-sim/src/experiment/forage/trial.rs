@@ -22,6 +22,7 @@ use crate::baseline::random::Random;
 use crate::baseline::sector::Sector;
 use crate::device::meter::Load;
 use crate::failure::Failure;
+use crate::learner::Learner;
 use crate::progress::Ticker;
 use crate::world::World;
 use crate::world::config::PioneerConfig;
@@ -128,6 +129,10 @@ pub(super) fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result
         }
     }
     let watched = second::watched(&bench, &brain, &options.world)?;
+    for (name, brain) in [("level1", &brain), ("both", &watched.brain)] {
+        let names = VOCABULARY.names();
+        ticker.keep(&format!("forage-{seed}-{name}"), || brain.image(names))?;
+    }
     let approaches = [
         approach(&brain, options.world.config, seed)?,
         approach(&watched.brain, options.world.config, seed)?,

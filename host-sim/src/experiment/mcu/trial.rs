@@ -7,6 +7,7 @@ use std::sync::{PoisonError, RwLock};
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::{pioneer, small};
 use cla_core::num::Rng;
+use cla_core::snapshot::Stored;
 use cla_core::som::Prototypes;
 use firmware_example::replay::{Forager, be_born};
 use serde::{Deserialize, Serialize};
@@ -89,7 +90,7 @@ fn captures<
     const S: usize,
     const Y: usize,
     const B: usize,
-    M: Prototypes<W, H> + 'static,
+    M: Prototypes<W, H> + Stored + 'static,
 >(
     brain: Forager<W, H, P, S, Y, B, M>,
     seed: u64,

@@ -9,7 +9,6 @@ mod claims;
 mod damages;
 mod family;
 mod figures;
-mod measured;
 mod options;
 mod pioneer;
 mod tables;
@@ -19,6 +18,7 @@ mod worlds;
 pub use measured::Trial;
 pub use options::{OneOptions, Part};
 
+use super::measured;
 use super::plan::Experiment;
 use crate::failure::Failure;
 use crate::progress::Ticker;

@@ -2,11 +2,14 @@
 //!
 //! Measures only; what the numbers mean is said in `claims`.
 
+use cla_core::forager::pioneer::VOCABULARY;
+
 use super::measured::Trial;
 use super::options::{OneOptions, Part};
 use super::pioneer::Raised;
 use super::{damages, pioneer, worlds};
 use crate::failure::Failure;
+use crate::learner::Learner;
 use crate::progress::Ticker;
 
 /// Runs one seed.
@@ -22,6 +25,10 @@ pub(super) fn run(options: &OneOptions, seed: u64, ticker: &Ticker) -> Result<Tr
         let raised = Raised::new(options, 0.0, seed)?;
         trial.note("forager.20000", raised.captures);
         trial.note("forager.bumps", raised.bumps);
+        let names = VOCABULARY.names();
+        ticker.keep(&format!("one-{seed}-forager"), || {
+            raised.trained.image(names)
+        })?;
         Some(raised)
     } else {
         None
@@ -35,10 +42,10 @@ pub(super) fn run(options: &OneOptions, seed: u64, ticker: &Ticker) -> Result<Tr
             (Part::Harm, _) => pioneer::harm(options, seed, &mut trial)?,
             (Part::Teach, _) => pioneer::teach(options, seed, &mut trial)?,
             (Part::Generated, _) => worlds::generated(options, seed, &mut trial)?,
-            (Part::Lake, _) => worlds::lake(options, seed, &mut trial)?,
-            (Part::Shuttle, _) => worlds::shuttle(options, seed, &mut trial)?,
-            (Part::Vacuum, _) => worlds::vacuum(options, seed, &mut trial)?,
-            (Part::Keys, _) => worlds::keys(options, seed, &mut trial)?,
+            (Part::Lake, _) => worlds::lake(options, seed, ticker, &mut trial)?,
+            (Part::Shuttle, _) => worlds::shuttle(options, seed, ticker, &mut trial)?,
+            (Part::Vacuum, _) => worlds::vacuum(options, seed, ticker, &mut trial)?,
+            (Part::Keys, _) => worlds::keys(options, seed, ticker, &mut trial)?,
             (Part::Recover | Part::Unknown, None) => {}
         }
         ticker.advance(1);

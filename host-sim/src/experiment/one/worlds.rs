@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use cla_core::forest::MindConfig;
+use cla_core::snapshot::Names;
 
 use super::measured::Trial;
 use super::options::OneOptions;
@@ -16,6 +17,7 @@ use crate::learner::Learner;
 use crate::learner::controller::{Controller, Untaught};
 use crate::learner::mind::Minded;
 use crate::learner::rewarded::{Income, rewarded};
+use crate::progress::Ticker;
 use crate::world::World;
 use crate::world::generated::{Generated, Spec};
 use crate::world::keys::Keys;
@@ -54,6 +56,7 @@ impl<W: World + Clone> Place<W> {
         &self,
         options: &OneOptions,
         seed: u64,
+        ticker: &Ticker,
         by_hand: fn() -> C,
         trial: &mut Trial,
     ) -> Result<(), Failure> {
@@ -61,6 +64,8 @@ impl<W: World + Clone> Place<W> {
             let mut mind = Minded::<WORDS, ALL, N>::born(MindConfig::DEFAULT, [0.0; ALL], seed)?;
             let name = format!("{}.{train}", self.name);
             trial.note(name.clone(), self.life(options, train, &mut mind)?);
+            let names = Names::of(self.world.items(), self.world.actions());
+            ticker.keep(&format!("one-{seed}-{name}"), || mind.image(names))?;
             let mut hand = Untaught::new(by_hand(), seed);
             trial.note(
                 format!("{name}.hand"),
@@ -72,7 +77,12 @@ impl<W: World + Clone> Place<W> {
 }
 
 /// Share of the episodes on the lake that end at the goal.
-pub(super) fn lake(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
+pub(super) fn lake(
+    options: &OneOptions,
+    seed: u64,
+    ticker: &Ticker,
+    trial: &mut Trial,
+) -> Result<(), Failure> {
     let place = Place {
         name: "lake",
         world: Lake::new(seed),
@@ -80,11 +90,16 @@ pub(super) fn lake(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result
         test: 20_000,
         score: |_, _, income| income.per_episode(),
     };
-    place.lives::<1, 16, 4, _>(options, seed, || rivals::lake::Careful, trial)
+    place.lives::<1, 16, 4, _>(options, seed, ticker, || rivals::lake::Careful, trial)
 }
 
 /// Reward an action of the shuttle.
-pub(super) fn shuttle(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
+pub(super) fn shuttle(
+    options: &OneOptions,
+    seed: u64,
+    ticker: &Ticker,
+    trial: &mut Trial,
+) -> Result<(), Failure> {
     let place = Place {
         name: "shuttle",
         world: PomdpWorld::new(Arc::new(Pomdp::parse(SHUTTLE)?), seed),
@@ -92,11 +107,22 @@ pub(super) fn shuttle(options: &OneOptions, seed: u64, trial: &mut Trial) -> Res
         test: 10_000,
         score: |_, _, income| income.per_action(),
     };
-    place.lives::<1, 5, 3, _>(options, seed, rivals::shuttle::Docker::default, trial)
+    place.lives::<1, 5, 3, _>(
+        options,
+        seed,
+        ticker,
+        rivals::shuttle::Docker::default,
+        trial,
+    )
 }
 
 /// What the vacuum cleaner earns in its test.
-pub(super) fn vacuum(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
+pub(super) fn vacuum(
+    options: &OneOptions,
+    seed: u64,
+    ticker: &Ticker,
+    trial: &mut Trial,
+) -> Result<(), Failure> {
     let place = Place {
         name: "vacuum",
         world: Vacuum::new(seed),
@@ -104,11 +130,22 @@ pub(super) fn vacuum(options: &OneOptions, seed: u64, trial: &mut Trial) -> Resu
         test: 3000,
         score: |_, _, income| income.earned,
     };
-    place.lives::<1, 15, 5, _>(options, seed, rivals::vacuum::Sweeper::default, trial)
+    place.lives::<1, 15, 5, _>(
+        options,
+        seed,
+        ticker,
+        rivals::vacuum::Sweeper::default,
+        trial,
+    )
 }
 
 /// Shortest way over the way taken, mean of all tries; 0 for one that failed.
-pub(super) fn keys(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
+pub(super) fn keys(
+    options: &OneOptions,
+    seed: u64,
+    ticker: &Ticker,
+    trial: &mut Trial,
+) -> Result<(), Failure> {
     let place = Place {
         name: "keys",
         world: Keys::new(seed),
@@ -119,7 +156,13 @@ pub(super) fn keys(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result
             (after.efficiency() - before.efficiency()) / f64::from(tries)
         },
     };
-    place.lives::<2, 48, 6, _>(options, seed, rivals::keys::Searcher::default, trial)
+    place.lives::<2, 48, 6, _>(
+        options,
+        seed,
+        ticker,
+        rivals::keys::Searcher::default,
+        trial,
+    )
 }
 
 /// The rivals in worlds by chance, as they are named in what is measured.

@@ -3,6 +3,7 @@
 //! Measures only; what the numbers mean is said in `claims`.
 
 use cla_core::agent::{Adaptation, AgentConfig};
+use cla_core::forager::pioneer::VOCABULARY;
 use cla_core::level2::{Fallback, Level2Config};
 use cla_core::word::Cost;
 use serde::{Deserialize, Serialize};
@@ -272,6 +273,10 @@ pub(super) fn run(options: &RecoverOptions, seed: u64, ticker: &Ticker) -> Resul
         ..AgentConfig::FORAGER_LEVEL2
     };
     let one_level = grown(no_level2, world, protocol, seed, &mut load)?;
+    for (name, brain) in [("level1", &forager), ("both", &both)] {
+        let names = VOCABULARY.names();
+        ticker.keep(&format!("recover-{seed}-{name}"), || brain.image(names))?;
+    }
     let mut rivals = Vec::new();
     for rival in Rival::ALL {
         let Tuned { setup, quarters } = rival.tuned();

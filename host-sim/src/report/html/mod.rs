@@ -64,15 +64,42 @@ pub(super) fn page(
         );
         body.push_str(&format!(
             "<section><h2>{title}</h2>{}</section>\n",
-            data(table)
+            rows(table)
         ));
     }
     if !summary.parameters.is_empty() {
         body.push_str(&parameters(summary));
     }
+    whole(&summary.experiment, &body)
+}
+
+/// A page that is of no run: what is said first, and its parts.
+///
+/// ```
+/// use host_sim::report::{Section, leaf};
+/// let section = Section { title: "Items".to_owned(), html: "<p>s1</p>".to_owned() };
+/// let page = leaf("a brain", "it has lived", &[section]);
+/// assert!(page.contains("<h1>a brain</h1>") && page.contains("<h2>Items</h2><p>s1</p>"));
+/// ```
+#[must_use]
+pub fn leaf(title: &str, lead: &str, sections: &[Section]) -> String {
+    let mut body = format!(
+        "<header><h1>{}</h1><p class=\"lead\">{}</p></header>\n",
+        escaped(title),
+        escaped(lead)
+    );
+    for Section { title, html } in sections {
+        let title = escaped(title);
+        body.push_str(&format!("<section><h2>{title}</h2>{html}</section>\n"));
+    }
+    whole(title, &body)
+}
+
+/// The page around its body.
+fn whole(title: &str, body: &str) -> String {
     let template = include_str!("page.html");
     let parts = [
-        ("__TITLE__", escaped(&summary.experiment)),
+        ("__TITLE__", escaped(title)),
         ("__STYLE__", include_str!("page.css").to_owned()),
         ("__SCRIPT__", include_str!("page.js").to_owned()),
     ];
@@ -82,7 +109,7 @@ pub(super) fn page(
             page.replacen(mark, part, 1)
         });
     // Last, so that nothing in it is taken for a mark.
-    page.replacen("__BODY__", &body, 1)
+    page.replacen("__BODY__", body, 1)
 }
 
 /// Text as HTML, fit for attributes too.
@@ -200,7 +227,16 @@ fn claim_rows<'a>(claims: impl Iterator<Item = &'a Claim>) -> String {
     sortable(&heads.map(str::to_owned), &rows, "claims")
 }
 
-fn data(table: &Table) -> String {
+/// A table as HTML, which sorts by a click on a head.
+///
+/// ```
+/// use host_sim::report::{Table, rows};
+/// let mut table = Table::new(&["who", "captures"]);
+/// table.row(["a<b".into(), 3.into()]);
+/// assert!(rows(&table).contains("<td>a&lt;b</td><td class=\"n\" data-v=\"3\">3</td>"));
+/// ```
+#[must_use]
+pub fn rows(table: &Table) -> String {
     let mut rows = String::new();
     for row in &table.rows {
         rows.push_str("<tr>");
@@ -244,7 +280,7 @@ fn parameters(summary: &Summary) -> String {
         "<section><h2>Parameters</h2><p>Seeds: {}. Program: version {}.</p>{}</section>\n",
         escaped(&seeds.join(", ")),
         escaped(&summary.version),
-        data(&table)
+        rows(&table)
     )
 }
 

@@ -1,4 +1,4 @@
-//! What was measured with one seed, by name.
+//! What was measured with one seed, by name: the trial of experiments that are made of parts.
 
 use std::collections::BTreeMap;
 
@@ -15,12 +15,12 @@ pub struct Trial {
 
 impl Trial {
     /// Writes down a number.
-    pub(super) fn note(&mut self, name: impl Into<String>, number: impl Into<f64>) {
+    pub(crate) fn note(&mut self, name: impl Into<String>, number: impl Into<f64>) {
         self.measured.insert(name.into(), vec![number.into()]);
     }
 
     /// Writes down a course.
-    pub(super) fn note_all(&mut self, name: impl Into<String>, numbers: Vec<f64>) {
+    pub(crate) fn note_all(&mut self, name: impl Into<String>, numbers: Vec<f64>) {
         self.measured.insert(name.into(), numbers);
     }
 
@@ -39,11 +39,11 @@ impl Trial {
 }
 
 /// What was measured under one name, seed by seed.
-pub(super) fn of(trials: &[Trial], name: &str) -> Vec<f64> {
+pub(crate) fn of(trials: &[Trial], name: &str) -> Vec<f64> {
     sums(trials, name, 1)
 }
 
 /// The first numbers of a course together, seed by seed.
-pub(super) fn sums(trials: &[Trial], name: &str, count: usize) -> Vec<f64> {
+pub(crate) fn sums(trials: &[Trial], name: &str, count: usize) -> Vec<f64> {
     trials.iter().map(|trial| trial.sum(name, count)).collect()
 }

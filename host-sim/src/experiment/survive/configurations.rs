@@ -1,0 +1,36 @@
+//! Who survives: the agent's named configurations and the one learner, in the Pioneer.
+
+use cla_core::agent::{Adaptation, AgentConfig};
+use cla_core::forest::MindConfig;
+
+use crate::failure::Failure;
+use crate::learner::Learner;
+use crate::learner::forager::Forager;
+use crate::learner::mind::Minded;
+use crate::world::pioneer::{INGRIP, ITEMS};
+
+/// What the one valued item is worth in both worlds.
+pub(super) const VALUE: f32 = 10.0;
+
+/// Their names; without an agent's configuration it is the one learner.
+pub(super) const CONFIGURATIONS: [(&str, Option<AgentConfig>); 6] = [
+    ("book", Some(AgentConfig::BOOK)),
+    ("forager", Some(AgentConfig::FORAGER)),
+    ("forager_level2", Some(AgentConfig::FORAGER_LEVEL2)),
+    ("resilient", Some(AgentConfig::RESILIENT)),
+    ("resilient_level2", Some(AgentConfig::RESILIENT_LEVEL2)),
+    ("mind", None),
+];
+
+/// Born for the Pioneer.
+pub(super) fn forager(config: Option<AgentConfig>, seed: u64) -> Result<Box<dyn Learner>, Failure> {
+    Ok(match config {
+        Some(config) => Box::new(Forager::born(config, Adaptation::Relearning, seed)?),
+        None => {
+            let mut values = [0.0; ITEMS.len()];
+            values[usize::from(INGRIP)] = VALUE;
+            let config = MindConfig::DEFAULT;
+            Box::new(Minded::<1, 7, 6>::born(config, values, seed)?)
+        }
+    })
+}

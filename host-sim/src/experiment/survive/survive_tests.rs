@@ -1,0 +1,55 @@
+//! The experiment on survival, at a small part of its length, and its judgement by itself.
+
+use super::{Scale, Survive, SurviveOptions, declared};
+use crate::experiment::plan::{Experiment, trials};
+use crate::experiment::record::judged_again;
+use crate::progress::Progress;
+use crate::report::{Claim, Estimator, Summary, Verdict};
+
+fn small(seeds: Vec<u64>) -> SurviveOptions {
+    SurviveOptions {
+        shorter: Scale(200),
+        ..SurviveOptions::standard(seeds)
+    }
+}
+
+#[test]
+fn every_part_is_tried_written_down_and_judged_and_leaves_no_claim_without_a_number() {
+    let results = judged_again::<Survive>(&small(vec![3, 4])).unwrap();
+    for claim in &results.summary.claims {
+        let expected = if claim.estimator == Estimator::Count {
+            1
+        } else {
+            2
+        };
+        assert_eq!(claim.ours.n, expected, "{}", claim.id);
+        assert_eq!(claim.verdict, Verdict::Measured, "{}", claim.id);
+    }
+    let named =
+        |claims: &[Claim]| -> Vec<String> { claims.iter().map(|it| it.id.clone()).collect() };
+    assert_eq!(named(&results.summary.claims), named(&declared()));
+}
+
+#[test]
+fn one_accepted_image_of_one_seed_is_a_miss() {
+    let options = SurviveOptions::new((0..10).collect(), &["bit_flip".into()]).unwrap();
+    let lived = small(vec![5]);
+    let mut all = vec![trials::<Survive>(&lived, &Progress::hidden()).unwrap()[0].clone(); 10];
+    let judged = |all: &[_]| -> Summary { Survive::judge(&options, all).unwrap().summary };
+    let verdict = |it: &Summary| it.find("survive.bit_flip").unwrap().verdict;
+    assert_eq!(verdict(&judged(&all)), Verdict::Met);
+    all[7].note("bit_flip.accepted", 1);
+    assert_eq!(verdict(&judged(&all)), Verdict::Missed);
+}
+
+#[test]
+fn an_interrupted_run_is_judged_by_the_parts_that_all_its_seeds_have() {
+    let options = SurviveOptions::standard(vec![1, 2, 3]);
+    let cases = Survive::cases(&options);
+    let part = Survive::part(&options, &cases[..3]).unwrap();
+    assert_eq!((part.seeds.len(), part.parts.len()), (3, 1));
+    assert_eq!(part.parts, options.parts[..1]);
+    assert!(Survive::part(&options, &cases[..4]).is_none());
+    assert!(Survive::part(&options, &[]).is_none());
+    assert_eq!(Survive::part(&options, &cases), Some(options));
+}
