@@ -7,7 +7,7 @@
 
 use super::alarm::SurpriseConfig;
 use crate::choice::{ValueConfig, state_of};
-use crate::knowledge::{Doubt, Estimate, KnowledgeBase, PatternId, Schema};
+use crate::knowledge::{Doubt, Estimate, KnowledgeBase, Others, PatternId, Schema};
 use crate::num::{exp, ln};
 use crate::word::{ActionId, ItemStates, SchemaText, SignedItems};
 
@@ -73,11 +73,6 @@ fn normalized(logs: [f32; 3], prior: [f32; 3]) -> [f32; 3] {
 impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
 {
-    fn holds(&self, id: PatternId) -> bool {
-        let pattern = self.patterns.get(usize::from(id.0));
-        pattern.is_some_and(|pattern| pattern.holds)
-    }
-
     fn came(&self, schema: &Schema, after: &ItemStates<WORDS>) -> bool {
         let result = self.patterns.get(usize::from(schema.result.0));
         result.is_some_and(|result| result.items.truth(after) == Some(true))
@@ -118,16 +113,17 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         action: ActionId,
         after: &ItemStates<WORDS>,
     ) {
-        self.look_at(before);
-        let (mut found, mut applicable) = (false, false);
-        for index in 0..self.schemas.len() {
+        let (mut found, mut any) = (false, false);
+        let mut others = Others::none();
+        let mut applicable = self.applicable(before, &mut others);
+        while let Some(index) = applicable.next(self) {
             let Some(schema) = self.schemas.get(index).copied() else {
                 continue;
             };
-            if schema.action != action || !self.holds(schema.context) {
+            if schema.action != action {
                 continue;
             }
-            applicable = true;
+            any = true;
             if self.came(&schema, after) {
                 found = true;
                 if let Some(schema) = self.schemas.get_mut(index) {
@@ -135,7 +131,8 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 }
             }
         }
-        if found || !applicable {
+        self.count_schemas(applicable.seen());
+        if found || !any {
             return;
         }
         let text = SchemaText {
@@ -153,10 +150,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 
     /// The evidence about a context and action, given how strong other models proved.
     fn posterior(&self, context: PatternId, action: ActionId, prior: [f32; 3]) -> Posterior {
-        let group = |schema: &&Schema| schema.context == context && schema.action == action;
         let mut logs = [0.0; 3];
         let mut trials = 0_u16;
-        for schema in self.schemas.iter().filter(group) {
+        for (_, schema) in self.of_group(context, action) {
             let Doubt { old, hits, .. } = schema.doubt;
             let p = f32::from(old) / 65_535.0;
             let p = if p > LEAST { p } else { LEAST };
@@ -234,11 +230,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             if let (Some(here), Some(best)) = (here.get(index), best.get(index)) {
                 let gap = best - here.value;
                 let bonus = if gap > 0.0 { hope * gap } else { 0.0 };
-                for schema in &mut it.schemas {
-                    if schema.context == context && schema.action == action {
-                        schema.doubt.bonus = bonus;
-                    }
-                }
+                it.change_group(context, action, |schema| schema.doubt.bonus = bonus);
             }
         });
     }
@@ -247,7 +239,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     fn over_groups(&mut self, mut work: impl FnMut(&mut Self, PatternId, ActionId)) {
         for index in 0..self.schemas.len() {
             if let Some(schema) = self.schemas.get(index).copied()
-                && self.is_first(index, &schema)
+                && self.first_of(schema.context, schema.action, |_| true) == Some(index)
             {
                 work(self, schema.context, schema.action);
             }
@@ -273,26 +265,27 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 
     /// Context and action of a schema, if it is the first of them with a success since the doubt.
     fn tried_first(&self, index: usize) -> Option<(PatternId, ActionId)> {
-        let schema = self.schemas.get(index)?;
-        let alike = |other: &Schema| {
-            other.doubt.hits > 0 && other.context == schema.context && other.action == schema.action
-        };
-        let earlier = self.schemas.get(..index)?.iter().any(alike);
-        (schema.doubt.hits > 0 && !earlier).then_some((schema.context, schema.action))
+        let &Schema {
+            context, action, ..
+        } = self.schemas.get(index)?;
+        let first = self.first_of(context, action, |schema| schema.doubt.hits > 0);
+        (first == Some(index)).then_some((context, action))
     }
 
-    fn is_first(&self, index: usize, schema: &Schema) -> bool {
-        let alike =
-            |other: &Schema| other.context == schema.context && other.action == schema.action;
-        !self.schemas.iter().take(index).any(alike)
+    /// The first schema of a context and action that is so.
+    fn first_of(
+        &self,
+        context: PatternId,
+        action: ActionId,
+        is: impl Fn(&Schema) -> bool,
+    ) -> Option<usize> {
+        let mut group = self.of_group(context, action);
+        group.find(|(_, schema)| is(schema)).map(|(index, _)| index)
     }
 
     fn believe(&mut self, context: PatternId, action: ActionId, posterior: &Posterior) {
         let survival = posterior.survival();
-        for schema in &mut self.schemas {
-            if schema.context != context || schema.action != action {
-                continue;
-            }
+        self.change_group(context, action, |schema| {
             schema.doubt.bonus = 0.0;
             let old = f32::from(schema.doubt.old) / 65_535.0;
             let seen = if posterior.trials > 0.0 {
@@ -303,7 +296,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             schema
                 .reliability
                 .revise(survival * old + (1.0 - survival) * seen);
-        }
+        });
     }
 }
 

@@ -34,7 +34,6 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             self.support_all(maps, coding, config, WhenFull::Evict);
         }
         self.start_new_records();
-        self.link();
     }
 
     /// Supports the schemas of all nodes and drops what none says; whether everything found room.
@@ -53,6 +52,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         for schema in &mut self.schemas {
             schema.support = 0;
         }
+        self.least_standing = 0;
         let mut complete = true;
         for (action, map) in maps.iter().enumerate() {
             let action = ActionId(action as u16);
@@ -70,7 +70,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             }
         }
         self.schemas.retain(|schema| schema.support > 0);
+        self.least_standing = 0;
         self.drop_unused_patterns();
+        self.link();
         complete
     }
 }

@@ -69,6 +69,8 @@ pub struct KnowledgeBase<const WORDS: usize, const PATTERNS: usize, const SCHEMA
     /// The pattern whose value is computed next.
     pub(crate) next_value: u16,
     pub(super) losses: Losses,
+    /// While schemas are read in: no schema of a full table stands below this.
+    pub(super) least_standing: u32,
     /// Schemas, and beliefs about them, gone through in this step.
     pub(crate) cost: Cost,
 }
@@ -128,6 +130,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 refused_schemas: 0,
                 refused_patterns: 0,
             },
+            least_standing: 0,
             cost: Cost::NONE,
         }
     }
@@ -208,6 +211,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             support,
             WhenFull::Evict,
         );
+        self.least_standing = 0;
         // A refusal or an eviction may leave conjunctions that no schema uses.
         self.drop_unused_patterns();
         self.link();
@@ -216,22 +220,6 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             schema.reliability = Reliability::from_counts(successes, activations);
         }
         Ok(id)
-    }
-
-    /// Chains the schemas of each context; due whenever schemas were added, moved or dropped.
-    pub(crate) fn link(&mut self) {
-        for pattern in &mut self.patterns {
-            pattern.first = NONE;
-        }
-        for (index, schema) in self.schemas.iter_mut().enumerate().rev() {
-            if let Some(context) = self.patterns.get_mut(usize::from(schema.context.0)) {
-                schema.skip = match context.first {
-                    NONE => NONE,
-                    next => next.saturating_sub(index as u16 + 1),
-                };
-                context.first = index as u16;
-            }
-        }
     }
 
     /// Counts that all conjunctions are held against a state.
@@ -275,6 +263,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         }
     }
 
+    /// Adds support to a schema, or stores it; chains are up to date before and after.
     pub(super) fn support(
         &mut self,
         context: &SignedItems<WORDS>,
@@ -285,10 +274,11 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     ) -> Result<SchemaId, TableFull> {
         let context = self.intern(context)?;
         let result = self.intern(result)?;
-        let same = |schema: &Schema| {
-            schema.context == context && schema.action == action && schema.result == result
-        };
-        if let Some(index) = self.schemas.iter().position(same)
+        let found = self
+            .of_group(context, action)
+            .find(|(_, schema)| schema.result == result)
+            .map(|(index, _)| index);
+        if let Some(index) = found
             && let Some(schema) = self.schemas.get_mut(index)
         {
             schema.support = schema.support.saturating_add(wins);
@@ -296,7 +286,11 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         }
         let new = Schema::new(context, action, result, wins);
         match self.schemas.push(new) {
-            Ok(()) => Ok(SchemaId(self.schemas.len() as u16 - 1)),
+            Ok(()) => {
+                let index = self.schemas.len() as u16 - 1;
+                self.enchain(index);
+                Ok(SchemaId(index))
+            }
             Err(new) if when_full == WhenFull::Evict => self.evict_for(new),
             Err(_) => Err(TableFull),
         }
@@ -310,15 +304,24 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 .max(u32::from(schema.support))
         };
         let mut least = (standing(&new), None);
-        for (index, schema) in self.schemas.iter().enumerate() {
-            if standing(schema) < least.0 {
-                least = (standing(schema), Some(index));
+        // Nothing in the table stands below what it was found to: who is not above is not looked for.
+        if least.0 > self.least_standing {
+            let mut lowest = u32::MAX;
+            for (index, schema) in self.schemas.iter().enumerate() {
+                let standing = standing(schema);
+                if standing < least.0 {
+                    least = (standing, Some(index));
+                }
+                lowest = lowest.min(standing);
             }
+            self.least_standing = lowest;
         }
-        if let (_, Some(index)) = least
-            && let Some(schema) = self.schemas.get_mut(index)
-        {
-            *schema = new;
+        if let (_, Some(index)) = least {
+            self.unchain(index as u16);
+            if let Some(schema) = self.schemas.get_mut(index) {
+                *schema = new;
+            }
+            self.enchain(index as u16);
             self.losses.evicted_schemas = self.losses.evicted_schemas.saturating_add(1);
             return Ok(SchemaId(index as u16));
         }
@@ -350,33 +353,63 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         }
     }
 
+    /// Drops the conjunctions that stand in no schema; what was last takes a free place.
+    ///
+    /// Chains are to be made anew: here their beginnings say where conjunctions have moved to.
     pub(super) fn drop_unused_patterns(&mut self) {
-        for index in (0..self.patterns.len()).rev() {
-            let id = PatternId(index as u16);
-            if self
-                .schemas
-                .iter()
-                .any(|schema| schema.context == id || schema.result == id)
-            {
-                continue;
-            }
-            let last = PatternId(self.patterns.len() as u16 - 1);
-            // What was last takes the free place; the last one has nothing to move.
-            if let Some(moved) = self.patterns.pop()
-                && let Some(place) = self.patterns.get_mut(index)
-            {
-                *place = moved;
-            }
-            for schema in &mut self.schemas {
-                for reference in [&mut schema.context, &mut schema.result] {
-                    if *reference == last {
-                        *reference = id;
-                    }
+        for pattern in &mut self.patterns {
+            pattern.holds = false;
+        }
+        for schema in &self.schemas {
+            for id in [schema.context, schema.result] {
+                if let Some(pattern) = self.patterns.get_mut(usize::from(id.0)) {
+                    pattern.holds = true;
                 }
             }
         }
+        let mut length = self.patterns.len();
+        for index in (0..self.patterns.len()).rev() {
+            if self.patterns.get(index).is_none_or(|it| it.holds) {
+                continue;
+            }
+            length -= 1;
+            if let Some(last) = self.patterns.get(length).copied()
+                && let Some(place) = self.patterns.get_mut(index)
+            {
+                *place = last;
+            }
+            if let Some(left) = self.patterns.get_mut(length) {
+                left.first = index as u16;
+            }
+        }
+        // What has moved to a place that was left later has moved on; that place is an earlier one.
+        for left in length..self.patterns.len() {
+            let moved = self.patterns.get(left).map_or(NONE, |it| it.first);
+            if usize::from(moved) >= length
+                && let Some(on) = self.patterns.get(usize::from(moved)).map(|it| it.first)
+                && let Some(left) = self.patterns.get_mut(left)
+            {
+                left.first = on;
+            }
+        }
+        for schema in &mut self.schemas {
+            for reference in [&mut schema.context, &mut schema.result] {
+                let index = usize::from(reference.0);
+                if index >= length
+                    && let Some(left) = self.patterns.get(index)
+                {
+                    reference.0 = left.first;
+                }
+            }
+        }
+        self.patterns.truncate(length);
+        for pattern in &mut self.patterns {
+            pattern.holds = false;
+        }
     }
 
+    /// Gives schemas without trials the wins of their nodes among those of their context and action;
+    /// chains are up to date.
     pub(super) fn start_new_records(&mut self) {
         for index in 0..self.schemas.len() {
             let Some(new) = self.schemas.get(index).copied() else {
@@ -385,10 +418,8 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             if new.reliability.activations() > 0 {
                 continue;
             }
-            let alike =
-                |other: &&Schema| other.context == new.context && other.action == new.action;
             let mut total = 0_u32;
-            for other in self.schemas.iter().filter(alike) {
+            for (_, other) in self.of_group(new.context, new.action) {
                 total = total.saturating_add(u32::from(other.support));
             }
             if let Some(schema) = self.schemas.get_mut(index) {
@@ -423,7 +454,8 @@ stored! {
     KnowledgeBase<WORDS, PATTERNS, SCHEMAS> {
         patterns, schemas, inherent => within LARGEST_VALUE, valued,
         deferred => within LARGEST_VALUE, discount if |it: &f32| (0.0..1.0).contains(it),
-        next_value, losses, cost
+        next_value, losses, cost;
+        least_standing: 0
     }
 }
 

@@ -11,6 +11,9 @@ use crate::num::ordered::{insert, remove};
 use crate::snapshot::{LARGEST_COUNT, stored};
 use crate::word::{ActionId, Cost};
 
+/// Stands for a schema that may have left; no table is as large.
+const LOST: SchemaId = SchemaId(u16::MAX);
+
 /// How often `item` was on right after `trace` had succeeded.
 ///
 /// In the field: a bigram count that forgets.
@@ -185,6 +188,29 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
         }
         self.beliefs
             .retain(|belief| belief.trace != id && belief.item != id);
+    }
+
+    /// No item has a schema until one is found for it.
+    pub(super) fn lose_all(&mut self) {
+        for row in &mut self.rows {
+            row.schema = row.schema.map(|_| LOST);
+        }
+    }
+
+    /// Drops the items for which none was found, and all beliefs about them.
+    pub(super) fn free_lost(&mut self) {
+        let Self { rows, beliefs, .. } = self;
+        let is_lost = |id: SyntheticId| {
+            let row = rows.get(usize::from(id.0));
+            row.is_some_and(|row| row.schema == Some(LOST))
+        };
+        if rows.iter().all(|row| row.schema != Some(LOST)) {
+            return;
+        }
+        beliefs.retain(|belief| !is_lost(belief.trace) && !is_lost(belief.item));
+        for row in rows {
+            row.schema = row.schema.filter(|&schema| schema != LOST);
+        }
     }
 
     pub(crate) fn row(&self, id: SyntheticId) -> Option<&Row<ACTIONS>> {

@@ -233,16 +233,24 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
     ) {
         for context in 0..knowledge.patterns() {
             let context = PatternId(context);
-            for action in 0..ACTIONS as u16 {
-                let action = ActionId(action);
-                let hold = hold(context, action);
-                for index in 0..self.table.rows.len() {
-                    let item = SyntheticId(index as u16);
-                    let schema = self.schema(item);
-                    let schema = schema.and_then(|id| knowledge.schemas.get(usize::from(id.0)));
+            // What the evidence leaves is asked once an action, and only where something was tried.
+            let mut holds = [None; ACTIONS];
+            for index in 0..self.table.rows.len() {
+                let item = SyntheticId(index as u16);
+                let schema = self.schema(item);
+                let schema = schema.and_then(|id| knowledge.schemas.get(usize::from(id.0)));
+                if schema.is_none_or(|schema| schema.result != context) {
+                    continue;
+                }
+                for (action, kept) in (0..).zip(&mut holds) {
+                    let action = ActionId(action);
                     let tried = self.tried(item, action);
-                    if tried > hold && schema.is_some_and(|schema| schema.result == context) {
-                        self.table.forget(item, action, hold / tried);
+                    // No evidence leaves less than nothing.
+                    if tried > 0.0 {
+                        let hold = *kept.get_or_insert_with(|| hold(context, action));
+                        if tried > hold {
+                            self.table.forget(item, action, hold / tried);
+                        }
                     }
                 }
             }
@@ -320,18 +328,15 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         &mut self,
         knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
     ) {
-        for index in 0..self.table.rows.len() {
-            let id = SyntheticId(index as u16);
-            let place = knowledge
-                .schemas
-                .iter()
-                .position(|schema| schema.synthetic() == Some(id));
-            match (place, self.table.rows.get_mut(index)) {
-                (Some(place), Some(row)) => row.schema = Some(SchemaId(place as u16)),
-                (None, Some(row)) if row.schema.is_some() => self.table.free(id),
-                _ => {}
+        self.table.lose_all();
+        for (place, schema) in knowledge.schemas.iter().enumerate().rev() {
+            let item = schema.synthetic();
+            let row = item.and_then(|item| self.table.rows.get_mut(usize::from(item.0)));
+            if let Some(row) = row {
+                row.schema = Some(SchemaId(place as u16));
             }
         }
+        self.table.free_lost();
     }
 
     /// What each action can be expected to bring in `state`, where `trace` has just succeeded.
