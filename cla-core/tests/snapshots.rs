@@ -286,6 +286,52 @@ fn a_medium_that_fails_between_two_readings_leaves_the_brain_unborn() {
     assert_eq!(image(&*brain), before);
 }
 
+/// A medium that can be read so many times.
+struct Broken {
+    image: Vec<u8>,
+    reads: u32,
+}
+
+impl snapshot::Source for Broken {
+    type Error = snapshot::SourceEnd;
+
+    fn length(&self) -> u32 {
+        self.image.len() as u32
+    }
+
+    fn read(&mut self, at: u32, piece: &mut [u8]) -> Result<(), Self::Error> {
+        self.reads = self.reads.checked_sub(1).ok_or(snapshot::SourceEnd)?;
+        (&*self.image).read(at, piece)
+    }
+}
+
+#[test]
+fn a_medium_that_cannot_be_read_again_is_told_as_such() {
+    let (_, whole) = learned();
+    let (mut taken, mut interrupted) = (0, 0);
+    for reads in 0..400 {
+        let (mut brain, before) = living();
+        let mut source = Broken {
+            image: whole.clone(),
+            reads,
+        };
+        match snapshot::load(&mut *brain, Names::UNKNOWN, &mut source) {
+            Err(LoadError::Source(_)) => assert_eq!(image(&*brain), before),
+            Err(LoadError::Interrupted(_)) => {
+                interrupted += 1;
+                assert!(brain.choose(&bytes::Percept::all_off(4)).is_err());
+            }
+            loaded => {
+                assert_eq!(loaded, Ok(whole.len() as u32));
+                taken += 1;
+            }
+        }
+    }
+    assert!(taken > 0 && interrupted > 10, "{taken}, {interrupted}");
+    let said = LoadError::Interrupted(snapshot::SourceEnd).to_string();
+    assert!(said.starts_with("the brain is unborn"), "{said}");
+}
+
 /// Written when version 1 was new, after 700 actions; it is never written again.
 #[test]
 fn the_image_of_version_1_is_read_for_ever() {

@@ -92,8 +92,8 @@ const STOREYS: [(&str, &[&str]); 17] = [
         ],
     ),
     // The other learner shares the words and nothing else.
-    ("growth", &["check", "num", "word"]),
-    ("reason", &["growth", "num", "word"]),
+    ("growth", &["check", "num", "snapshot", "word"]),
+    ("reason", &["growth", "num", "snapshot", "word"]),
     ("forest", &["check", "num", "reason", "snapshot", "word"]),
     (
         "brain",

@@ -5,7 +5,7 @@ use crate::check::{Checked, Config, ConfigError, Range, check_some};
 use crate::choice::{ChoiceRule, HabitConfig, ValueConfig};
 use crate::level2::Level2Config;
 use crate::map::{HarvestConfig, ResultCoding, TrainingConfig};
-use crate::snapshot::{Reader, Stored, Writer, stored};
+use crate::snapshot::{Flip, Mender, Reader, Stored, Writer, stored};
 use crate::word::ItemId;
 
 /// How an agent learns and chooses.
@@ -237,6 +237,15 @@ impl Stored for Settings {
         match config.checked() {
             Ok(config) => *self = Self::Present(config),
             Err(_) => from.refuse(),
+        }
+    }
+
+    // What cannot work is not replaced: nobody else knows what was meant.
+    fn mend(&mut self, _: &mut Mender) {}
+
+    fn flip(&mut self, by: &mut Flip) {
+        if let Self::Present(config) = self {
+            config.0.flip(by);
         }
     }
 }

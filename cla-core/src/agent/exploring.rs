@@ -30,7 +30,7 @@ impl Exploration {
             self.run = config.training_run;
             self.random = !rng.chance(config.greedy_share);
         }
-        self.run -= 1;
+        self.run = self.run.saturating_sub(1);
         self.random
     }
 

@@ -10,12 +10,13 @@ use crate::level2::SecondLevel;
 use crate::map::ActionSom;
 use crate::num::Rng;
 use crate::snapshot::{
-    Limits, Profile, Reader, Snapshot, Stored, Writer, check_fields, restore_fields, store_fields,
+    Flip, Limits, Mender, Profile, Reader, Snapshot, Stored, Writer, check_fields, flip_fields,
+    mend_fields, restore_fields, store_fields,
 };
 use crate::som::Prototypes;
 
 /// Sections before the maps, of which each is one.
-const BEFORE_MAPS: usize = 4;
+pub(super) const BEFORE_MAPS: usize = 4;
 /// The names of the sections, for as many actions as there may be.
 const SECTIONS: [&str; BEFORE_MAPS + 256] = {
     let mut names = ["maps"; BEFORE_MAPS + 256];
@@ -123,9 +124,40 @@ impl<
         }
     }
 
+    fn mend_section(&mut self, number: usize, by: &mut Mender) {
+        match number {
+            0 => self.faculties.knowledge.mend(by),
+            1 => self.faculties.level2.mend(by),
+            2 => self.faculties.habits.mend(by),
+            3 => life!(mend_fields, (self, by)),
+            _ => {
+                if let Some(map) = self.bank.maps.get_mut(number - BEFORE_MAPS) {
+                    map.mend(by);
+                }
+            }
+        }
+    }
+
+    fn flip_section(&mut self, number: usize, by: &mut Flip) {
+        match number {
+            0 => self.faculties.knowledge.flip(by),
+            1 => self.faculties.level2.flip(by),
+            2 => self.faculties.habits.flip(by),
+            3 => life!(flip_fields, (self, by)),
+            _ => {
+                if let Some(map) = self.bank.maps.get_mut(number - BEFORE_MAPS) {
+                    map.flip(by);
+                }
+            }
+        }
+    }
+
     fn rebuild(&mut self) {
         self.faculties.knowledge.rebuild();
         self.faculties.level2.rebuild();
+        for map in &mut self.bank.maps {
+            map.rebuild();
+        }
     }
 
     fn forsake(&mut self) {

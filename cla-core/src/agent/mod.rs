@@ -11,11 +11,12 @@ mod config;
 mod exploring;
 mod faculties;
 mod image;
+mod knowledge;
 mod life;
 mod step;
 mod trail;
 
-pub use audit::Audit;
+pub use crate::snapshot::Audit;
 pub use config::{Adaptation, AgentConfig, Escape};
 pub use life::{Agent, Stage};
 pub use step::{AgentError, Choice, Lesson, Level, Reason};

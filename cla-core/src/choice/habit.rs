@@ -9,7 +9,7 @@
 
 use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::SyntheticId;
-use crate::snapshot::{LARGEST, stored};
+use crate::snapshot::{LARGEST, Reader, Stored, Writer, stored};
 use crate::word::{ActionId, ItemSet};
 
 /// How habits form, and how much they say.
@@ -245,7 +245,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
         let mut change = change;
         let mut seen = ItemSet::EMPTY;
         let mut moved = 0;
-        for age in 0..usize::from(self.count) {
+        for age in 0..usize::from(self.count).min(FELT) {
             let place = (usize::from(self.newest) + FELT - age) % FELT;
             let Some(deed) = self.deeds.get(place).copied() else {
                 continue;
@@ -277,6 +277,52 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
             change *= fading;
         }
         moved
+    }
+}
+
+impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHETIC: usize>
+    Habits<WORDS, ITEMS, ACTIONS, SYNTHETIC>
+{
+    /// Writes values alone, those of so many synthetic items.
+    pub(crate) fn carry(&self, synthetic: u16, to: &mut Writer<'_>) {
+        self.always.store(to);
+        self.items.store(to);
+        synthetic.store(to);
+        for worth in self.traces.iter().take(synthetic.into()) {
+            worth.store(to);
+        }
+    }
+
+    /// Reads them from a robot of so many items and actions, over what is there if there is anybody.
+    pub(crate) fn take(
+        mut into: Option<&mut Self>,
+        (items, actions): (usize, usize),
+        from: &mut Reader<'_>,
+    ) {
+        let read = |from: &mut Reader<'_>| {
+            let mut worth = [0.0; ACTIONS];
+            for value in worth.iter_mut().take(actions) {
+                value.restore(from);
+            }
+            worth
+        };
+        let always = read(from);
+        if let Some(it) = &mut into {
+            it.clear();
+            it.always = always;
+        }
+        for item in 0..items {
+            let worth = read(from);
+            if let Some(place) = into.as_mut().and_then(|it| it.items.get_mut(item)) {
+                *place = worth;
+            }
+        }
+        for item in 0..from.count("synthetic items", SYNTHETIC) {
+            let worth = read(from);
+            if let Some(place) = into.as_mut().and_then(|it| it.traces.get_mut(item)) {
+                *place = worth;
+            }
+        }
     }
 }
 

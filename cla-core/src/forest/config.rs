@@ -208,8 +208,8 @@ pub struct MindConfig {
     pub remembered_doubting: f32,
     /// Whether it doubts when rewards stay away.
     pub doubting: Doubting,
-    /// Trials that what is known of a percept alone weighs against what is known of the last step, at
-    /// least 0.
+    /// Trials that what is known of a percept alone weighs against what is known of the last step, above
+    /// 0.
     pub prior: f32,
     /// The share of what really followed in what a state is worth, in `[0, 1]`.
     pub felt: f32,
@@ -284,7 +284,8 @@ impl Config for MindConfig {
         let trials = Range::above(1.0);
         trials.check("MindConfig::remembered", self.remembered)?;
         trials.check("MindConfig::remembered_doubting", self.remembered_doubting)?;
-        Range::NOT_NEGATIVE.check("MindConfig::prior", self.prior)?;
+        // What was never done in a state of which nothing else is known is worth 0 of 0 trials.
+        Range::ABOVE_ZERO.check("MindConfig::prior", self.prior)?;
         Range::AT_LEAST_ONE.check("MindConfig::block", f32::from(self.block))?;
         Range::AT_LEAST_ONE.check("MindConfig::patience", f32::from(self.patience))?;
         Range::AT_LEAST_ONE.check("MindConfig::heard", f32::from(self.heard.bits()))

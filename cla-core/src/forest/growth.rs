@@ -175,7 +175,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
                     let count = *end;
                     *start = next;
                     *end = next;
-                    next += count;
+                    next = next.wrapping_add(count);
                 }
                 self.phase = Phase::Place;
                 self.at = 0;
@@ -185,11 +185,11 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
                 && let Some(target) = sample.target()
                 && let Some(count) = self.ends.get_mut(usize::from(sample.action))
             {
-                *count += 1;
-                self.drawn += 1;
+                *count = count.wrapping_add(1);
+                self.drawn = self.drawn.wrapping_add(1);
                 self.sum += target;
             }
-            self.at += 1;
+            self.at = self.at.wrapping_add(1);
         }
         SEEN * u32::from(AT_ONCE)
     }
@@ -215,7 +215,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
                     self.set_index(place, self.at);
                 }
             }
-            self.at += 1;
+            self.at = self.at.wrapping_add(1);
         }
         PLACED * u32::from(AT_ONCE)
     }
@@ -232,7 +232,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
         for (action, (leaf, (start, end))) in self.leaves.iter_mut().zip(bounds).enumerate() {
             *leaf = Leaf {
                 start: *start,
-                len: *end - *start,
+                len: end.saturating_sub(*start),
                 action: action as u8,
                 value,
                 ..Leaf::ZERO
@@ -268,8 +268,8 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
                 units += 4 * (2 * ITEMS + ACTIONS) as u32;
                 return (units, self.judge(leaf, trees, relevance));
             }
-            let at = self.index_at(leaf.start + self.at);
-            self.at += 1;
+            let at = self.index_at(leaf.start.wrapping_add(self.at));
+            self.at = self.at.wrapping_add(1);
             units += FOUND;
             if let Some(sample) = memory.get(at)
                 && sample.action == leaf.action
@@ -311,7 +311,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
             *place = leaf;
         }
         if is_root && usize::from(self.leaf) + 1 < ACTIONS {
-            self.begin_tally(self.leaf + 1);
+            self.begin_tally(self.leaf.wrapping_add(1));
             return false;
         }
         if self.brother {
@@ -337,7 +337,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
             Some((leaf, start, len)) if !full => {
                 self.leaf = leaf;
                 self.at = start;
-                self.end = start + len;
+                self.end = start.wrapping_add(len);
                 self.phase = Phase::Part;
                 false
             }
@@ -386,7 +386,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
             self.phase = Phase::Rest;
             return;
         };
-        let yes = self.at - leaf.start;
+        let yes = self.at.wrapping_sub(leaf.start);
         let kid = |side, start, len| Leaf {
             start,
             len,
@@ -399,8 +399,8 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
             *place = kid(Side::Yes, leaf.start, yes);
         }
         if let Some(place) = self.leaves.get_mut(usize::from(self.count)) {
-            *place = kid(Side::No, self.at, leaf.len - yes);
-            self.count += 1;
+            *place = kid(Side::No, self.at, leaf.len.wrapping_sub(yes));
+            self.count = self.count.wrapping_add(1);
             self.brother = true;
         }
         self.begin_tally(self.leaf);

@@ -7,7 +7,8 @@ use super::trees::Forest;
 use crate::num::Rng;
 use crate::reason::Reasoning;
 use crate::snapshot::{
-    Limits, Profile, Reader, Snapshot, Stored, Writer, check_fields, restore_fields, store_fields,
+    Flip, Limits, Mender, Profile, Reader, Snapshot, Stored, Writer, check_fields, flip_fields,
+    mend_fields, restore_fields, store_fields,
 };
 
 /// The fields of the section "life", each with what it may be.
@@ -64,6 +65,9 @@ impl<
             ("rows", ROWS as u32),
             ("states", STATES as u32),
             ("links", LINKS as u32),
+            ("remembered samples of an action", R::CAPACITIES[0]),
+            ("schemas", R::CAPACITIES[1]),
+            ("imagined states", R::CAPACITIES[2]),
         ],
     };
 
@@ -105,6 +109,26 @@ impl<
             2 => self.model.restore(from),
             3 => self.reason.restore(from),
             _ => life!(restore_fields, (self, from)),
+        }
+    }
+
+    fn mend_section(&mut self, number: usize, by: &mut Mender) {
+        match number {
+            0 => self.forest.mend(by),
+            1 => self.habits.mend(by),
+            2 => self.model.mend(by),
+            3 => self.reason.mend(by),
+            _ => life!(mend_fields, (self, by)),
+        }
+    }
+
+    fn flip_section(&mut self, number: usize, by: &mut Flip) {
+        match number {
+            0 => self.forest.flip(by),
+            1 => self.habits.flip(by),
+            2 => self.model.flip(by),
+            3 => self.reason.flip(by),
+            _ => life!(flip_fields, (self, by)),
         }
     }
 

@@ -5,7 +5,7 @@
 //! A full memory gives up its oldest stretch.
 
 use super::moment::{Moment, NO_ACTION};
-use crate::snapshot::stored;
+use crate::snapshot::{Reader, Stored, Writer, stored};
 use crate::word::ItemStates;
 
 /// Samples of a stretch.
@@ -147,11 +147,8 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
         if let Some(place) = self.get_mut(head) {
             *place = sample;
         }
-        self.head = if head + 1 >= Self::CAPACITY {
-            0
-        } else {
-            head + 1
-        };
+        let next = head.saturating_add(1);
+        self.head = if next >= Self::CAPACITY { 0 } else { next };
     }
 
     /// Nothing that comes has to do with the newest sample.
@@ -173,7 +170,7 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
         let age = if newest >= at {
             newest - at
         } else {
-            newest + self.len - at
+            newest.wrapping_add(self.len).wrapping_sub(at)
         };
         age < self.recent
     }
@@ -192,7 +189,7 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
         Some(if newest >= samples {
             newest - samples
         } else {
-            newest + self.len - samples
+            newest.wrapping_add(self.len).wrapping_sub(samples)
         })
     }
 
@@ -229,7 +226,8 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
 
     /// The sample after this one in time, when there is one.
     pub(super) const fn later(&self, at: u16) -> Option<u16> {
-        let next = if at + 1 >= Self::CAPACITY { 0 } else { at + 1 };
+        let next = at.saturating_add(1);
+        let next = if next >= Self::CAPACITY { 0 } else { next };
         if next == self.head { None } else { Some(next) }
     }
 
@@ -264,6 +262,81 @@ stored! { impl[const WORDS: usize] Sample<WORDS> { now, reward, target, action, 
 stored! {
     impl[const WORDS: usize, const STRETCHES: usize] Memory<WORDS, STRETCHES> {
         samples, head, len, recent
+    }
+}
+
+impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
+    /// Makes samples of actions that there are not ones that say nothing, and the ring one again;
+    /// answers how many.
+    pub(super) fn audit(&mut self, actions: usize) -> u32 {
+        let mut mended = 0;
+        for sample in self.samples.as_flattened_mut() {
+            if usize::from(sample.action) >= actions {
+                *sample = Sample::NONE;
+                mended += 1;
+            }
+        }
+        let most = Self::CAPACITY;
+        let ring = if self.len < most {
+            self.head == self.len
+        } else {
+            self.len == most && self.head < most
+        };
+        if !ring || self.recent > most {
+            self.len = self.len.min(most);
+            self.head = if self.len < most { self.len } else { 0 };
+            self.recent = self.recent.min(most);
+            mended += 1;
+        }
+        mended
+    }
+}
+
+impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
+    /// Writes the samples, the oldest first.
+    pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        self.len.store(to);
+        self.recent().store(to);
+        for back in (0..self.len).rev() {
+            if let Some(sample) = self.back_by(back).and_then(|at| self.get(at)) {
+                sample.now.store(to);
+                sample.reward.store(to);
+                (sample.action, sample.marks & !TARGET).store(to);
+            }
+        }
+    }
+
+    /// Reads them from a robot of so many words and actions, over what is there if there is anybody;
+    /// nobody knows yet what they were worth.
+    pub(super) fn take(
+        mut into: Option<&mut Self>,
+        (words, _, actions): (usize, usize, usize),
+        from: &mut Reader<'_>,
+    ) {
+        if let Some(it) = &mut into {
+            it.clear();
+        }
+        let samples = from.count("samples", usize::from(Self::CAPACITY));
+        let mut recent = 0;
+        recent.restore(from);
+        for _ in 0..samples {
+            let mut sample = Sample::new(&ItemStates::take(words, from), 0, 0.0);
+            sample.reward.restore(from);
+            sample.action.restore(from);
+            sample.marks.restore(from);
+            from.require(usize::from(sample.action) < actions);
+            if from.is_wrong() {
+                return;
+            }
+            if let Some(it) = &mut into {
+                it.push(sample);
+            }
+        }
+        if let Some(it) = into {
+            // An episode ends between two lives.
+            it.interrupt();
+            it.recent = it.recent.min(recent);
+        }
     }
 }
 

@@ -12,6 +12,7 @@
 //! and a choice is explained (`goals`).
 //! It stands on words, `num` and `reason`, and knows nothing of maps.
 
+mod audit;
 mod budget;
 mod capacities;
 mod config;
@@ -20,6 +21,7 @@ mod goals;
 mod growth;
 mod image;
 mod inspect;
+mod knowledge;
 mod memory;
 mod mind;
 mod model;

@@ -6,7 +6,7 @@
 //! New trials weigh more than old ones, so the model follows a world that changes.
 //! Rows and links lie in fixed tables; a full one gives up what was not met for longest.
 
-use crate::snapshot::stored;
+use crate::snapshot::{LARGEST_COUNT, stored};
 
 /// Places in which a row may lie.
 const PROBES: u32 = 8;
@@ -477,6 +477,51 @@ stored! {
 stored! {
     impl[const ACTIONS: usize, const STATES: usize, const LINKS: usize]
     Model<ACTIONS, STATES, LINKS> { rows, links, free, fresh, clock, at, given_up }
+}
+
+impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTIONS, STATES, LINKS> {
+    /// Begins anew when its lists cannot be so, and mends what a link weighs; answers how many.
+    pub(super) fn audit(&mut self) -> u32 {
+        let mut mended = 0;
+        for link in &mut self.links {
+            if !(0.0..=LARGEST_COUNT).contains(&link.weight) {
+                link.weight = 0.0;
+                mended += 1;
+            }
+        }
+        if usize::from(self.at) >= STATES {
+            self.at = 0;
+            mended += 1;
+        }
+        if !self.is_sound() {
+            self.clear();
+            mended += 1;
+        }
+        mended
+    }
+
+    /// Whether each link that was ever used stands in one list, once.
+    fn is_sound(&self) -> bool {
+        if usize::from(self.fresh) > LINKS {
+            return false;
+        }
+        let lived = self.rows.iter().filter(|row| row.key != 0);
+        let heads = lived.flat_map(|row| row.links);
+        let mut left = self.fresh;
+        for first in heads.chain([self.free]) {
+            let mut place = first;
+            while place != NONE {
+                let (Some(link), Some(fewer)) = (self.link(place), left.checked_sub(1)) else {
+                    return false;
+                };
+                if place > self.fresh {
+                    return false;
+                }
+                (left, place) = (fewer, link.next);
+            }
+        }
+        left == 0
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! which blink at random fill no table; contexts ask more of an item outside of it.
 
 use super::moment::Feature;
-use crate::snapshot::stored;
+use crate::snapshot::{Reader, Stored, Writer, stored};
 use crate::word::{ItemId, ItemSet};
 
 /// An item above this joins the mask.
@@ -95,6 +95,39 @@ impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
 stored! {
     impl[const WORDS: usize, const ITEMS: usize] Relevance<WORDS, ITEMS> {
         clearest, mean, mask, told
+    }
+}
+
+impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
+    pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        self.mean.store(to);
+        self.mask.store(to);
+        self.told.store(to);
+    }
+
+    /// Reads it from a robot of so many words and items; items that it has more matter until more is
+    /// known.
+    pub(super) fn take(
+        mut into: Option<&mut Self>,
+        (words, items, _): (usize, usize, usize),
+        from: &mut Reader<'_>,
+    ) {
+        for item in 0..items {
+            let mut mean = 0.0;
+            mean.restore(from);
+            if let Some(place) = into.as_mut().and_then(|it| it.mean.get_mut(item)) {
+                *place = mean;
+            }
+        }
+        let known = ItemSet::first(items as u16);
+        let mask = ItemSet::take(words, from).intersection(&known);
+        let mut told = false;
+        told.restore(from);
+        if let Some(it) = into {
+            let added = ItemSet::first(ITEMS as u16).difference(&known);
+            it.mask = mask.union(&added);
+            it.told = told;
+        }
     }
 }
 

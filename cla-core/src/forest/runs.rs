@@ -4,7 +4,7 @@
 //! Two counters an item: its present run and its longest.
 //! A run that ends is believed, however long it was; what was never seen to end is not judged.
 
-use crate::snapshot::stored;
+use crate::snapshot::{Reader, Stored, stored};
 use crate::word::{ItemId, ItemStates};
 
 /// Runs shorter than this are never doubted.
@@ -72,6 +72,26 @@ impl<const ITEMS: usize> Runs<ITEMS> {
 }
 
 stored! { impl[const ITEMS: usize] Runs<ITEMS> { present, longest } }
+
+impl<const ITEMS: usize> Runs<ITEMS> {
+    /// Reads runs of so many items, over what is there if there is anybody; no run goes on between two
+    /// lives.
+    pub(super) fn take(mut into: Option<&mut Self>, items: usize, from: &mut Reader<'_>) {
+        for run in 0..2 * items {
+            let mut actions = 0;
+            actions.restore(from);
+            if run >= items
+                && let Some(it) = &mut into
+                && let Some(place) = it.longest.get_mut(run - items)
+            {
+                *place = actions;
+            }
+        }
+        if let Some(it) = into {
+            it.present = [0; ITEMS];
+        }
+    }
+}
 
 #[cfg(test)]
 #[path = "runs_tests.rs"]

@@ -8,7 +8,7 @@
 
 use super::growth::mix;
 use super::moment::{Moment, NO_ACTION};
-use crate::snapshot::stored;
+use crate::snapshot::{Reader, Stored, Writer, stored};
 use crate::word::{ItemId, ItemSet};
 
 /// Deeds that are felt; what is older has faded to a ten-thousandth.
@@ -212,7 +212,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
         let deed = Deed { scene, action };
         let follows = rates.discount * self.worth_of(&deed, rates.discount);
         self.learn(follows, rates);
-        self.newest = (self.newest + 1) % FELT as u8;
+        self.newest = self.newest.wrapping_add(1) % FELT as u8;
         if let Some(place) = self.deeds.get_mut(usize::from(self.newest)) {
             *place = deed;
         }
@@ -299,7 +299,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
     /// Moves the values of the last deeds, the older the less.
     fn spread(&mut self, mut change: f32, fading: f32, replacing: bool) {
         let mut seen = ItemSet::EMPTY;
-        for age in 0..usize::from(self.count) {
+        for age in 0..usize::from(self.count).min(FELT) {
             let place = (usize::from(self.newest) + FELT - age) % FELT;
             let Some(deed) = self.deeds.get(place).copied() else {
                 return;
@@ -320,6 +320,47 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
                 seen = seen.union(&deed.scene.on);
             }
             change *= fading;
+        }
+    }
+}
+
+impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: usize>
+    Sarsa<WORDS, ITEMS, ACTIONS, ROWS>
+{
+    /// Writes what actions are worth always and where an item is on, and the ends of the rewards.
+    pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        (self.least, self.most).store(to);
+        self.always.store(to);
+        self.items.store(to);
+    }
+
+    /// Reads that from a robot of so many items and actions, over what is there if there is anybody.
+    pub(super) fn take(
+        mut into: Option<&mut Self>,
+        (items, actions): (usize, usize),
+        from: &mut Reader<'_>,
+    ) {
+        let read = |from: &mut Reader<'_>| {
+            let mut worth = [0.0; ACTIONS];
+            for value in worth.iter_mut().take(actions) {
+                value.restore(from);
+            }
+            worth
+        };
+        let mut ends = (0.0, 0.0);
+        ends.restore(from);
+        from.require(ends.0 <= 0.0 && ends.1 >= 0.0);
+        let always = read(from);
+        if let Some(it) = &mut into {
+            it.clear();
+            (it.least, it.most) = ends;
+            it.always = always;
+        }
+        for item in 0..items {
+            let worth = read(from);
+            if let Some(place) = into.as_mut().and_then(|it| it.items.get_mut(item)) {
+                *place = worth;
+            }
         }
     }
 }

@@ -157,7 +157,9 @@ impl<const ITEMS: usize, const ACTIONS: usize> Tally<ITEMS, ACTIONS> {
         let shares = self.now.iter().chain(&self.before).chain(&self.after);
         for (feature, share) in shares.enumerate() {
             let feature = feature as u8;
-            let off = self.count.saturating_sub(share.on + share.unknown);
+            let off = self
+                .count
+                .saturating_sub(share.on.saturating_add(share.unknown));
             if share.on < LEAST || off < LEAST {
                 continue;
             }

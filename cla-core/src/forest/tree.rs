@@ -85,7 +85,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const LEAVES: usize> Trees<ITEMS,
 
     /// Leaves of all actions.
     pub(super) const fn leaves(&self) -> u16 {
-        self.used + ACTIONS as u16
+        self.used.saturating_add(ACTIONS as u16)
     }
 
     fn node(&self, place: Place) -> Node {
@@ -181,10 +181,23 @@ impl<const ITEMS: usize, const ACTIONS: usize, const LEAVES: usize> Trees<ITEMS,
     /// The contexts of an action's leaves, with what each says, in the order of the tree.
     pub(super) fn visit(&self, action: u8, see: See<'_>) {
         let mut path = [(0_u8, false); DEEP];
-        self.walk(Place::Root(action), &mut path, 0, see);
+        // Every node is passed at most once, whatever its answers lead to.
+        let mut left = 2 * LEAVES + 1;
+        self.walk(Place::Root(action), &mut path, 0, &mut left, see);
     }
 
-    fn walk(&self, place: Place, path: &mut [(u8, bool); DEEP], depth: usize, see: See<'_>) {
+    fn walk(
+        &self,
+        place: Place,
+        path: &mut [(u8, bool); DEEP],
+        depth: usize,
+        left: &mut usize,
+        see: See<'_>,
+    ) {
+        let Some(fewer) = left.checked_sub(1) else {
+            return;
+        };
+        *left = fewer;
         let node = self.node(place);
         if node.feature == LEAF || depth >= DEEP {
             see(path.get(..depth).unwrap_or(&[]), node.value);
@@ -194,7 +207,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const LEAVES: usize> Trees<ITEMS,
             if let Some(step) = path.get_mut(depth) {
                 *step = (node.feature, yes);
             }
-            self.walk(kid, path, depth + 1, see);
+            self.walk(kid, path, depth + 1, left, see);
         }
     }
 }
@@ -209,6 +222,27 @@ stored! { impl[] Node { value, kids, feature, share } }
 stored! {
     impl[const ITEMS: usize, const ACTIONS: usize, const LEAVES: usize]
     Trees<ITEMS, ACTIONS, LEAVES> { roots, pairs, used }
+}
+
+impl<const ITEMS: usize, const ACTIONS: usize, const LEAVES: usize> Trees<ITEMS, ACTIONS, LEAVES> {
+    /// Makes questions that are none, and those whose answers lead nowhere, leaves; answers how many.
+    pub(super) fn audit(&mut self) -> u32 {
+        let mut mended = 0;
+        let full = usize::from(self.used) > LEAVES;
+        if full {
+            self.used = LEAVES as u16;
+            mended += 1;
+        }
+        let features = 2 * ITEMS + ACTIONS;
+        for node in self.roots.iter_mut().chain(self.pairs.as_flattened_mut()) {
+            let asks = usize::from(node.feature) < features && usize::from(node.kids) < LEAVES;
+            if node.feature != LEAF && !asks {
+                *node = Node::leaf(node.value);
+                mended += 1;
+            }
+        }
+        mended
+    }
 }
 
 #[cfg(test)]

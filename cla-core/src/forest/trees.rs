@@ -10,7 +10,7 @@ use super::memory::{Memory, Sample};
 use super::moment::Moment;
 use super::relevance::Relevance;
 use super::tree::{See, Trees};
-use crate::snapshot::{stored, stored_codes};
+use crate::snapshot::{Reader, Writer, stored, stored_codes};
 use crate::word::{ItemId, ItemSet};
 
 /// Members that speak; one more grows.
@@ -202,7 +202,7 @@ impl<
                     budget.spend(units);
                     if done {
                         changed |= self.relevance.settle(crowded);
-                        self.spare = (self.spare + 1) % (MEMBERS as u8 + 1);
+                        self.spare = self.spare.wrapping_add(1) % (MEMBERS as u8 + 1);
                         self.grown = self.grown.wrapping_add(1);
                         self.work = Work::Rest;
                     }
@@ -280,6 +280,59 @@ stored! {
     ]
     Forest<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES> {
         memory, members, growth, relevance, spare, work, at, left, fresh, grown, seed
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+> Forest<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES>
+{
+    /// Mends samples and trees; answers how many.
+    pub(super) fn audit(&mut self) -> u32 {
+        let mut mended = self.memory.audit(ACTIONS);
+        for member in &mut self.members {
+            mended += member.audit();
+        }
+        if usize::from(self.spare) > MEMBERS {
+            self.spare = 0;
+            mended += 1;
+        }
+        mended
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+> Forest<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES>
+{
+    /// Writes which items matter, and the samples.
+    pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        self.relevance.carry(to);
+        self.memory.carry(to);
+    }
+
+    /// Reads them from a robot of so many words, items and actions, over what is there if there is
+    /// anybody, whose trees grow anew from them.
+    pub(super) fn take(
+        mut into: Option<&mut Self>,
+        robot: (usize, usize, usize),
+        from: &mut Reader<'_>,
+    ) {
+        if let Some(it) = &mut into {
+            it.begin(it.seed);
+            it.fresh = u16::MAX;
+        }
+        let (memory, relevance) = into.map(|it| (&mut it.memory, &mut it.relevance)).unzip();
+        Relevance::take(relevance, robot, from);
+        Memory::take(memory, robot, from);
     }
 }
 

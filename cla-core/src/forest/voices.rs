@@ -76,7 +76,7 @@ impl<const VOICES: usize> Voices<VOICES> {
             self.gathered = 0.0;
             self.reach = 0.0;
         }
-        self.left -= 1;
+        self.left = self.left.saturating_sub(1);
         self.leader
     }
 

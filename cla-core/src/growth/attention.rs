@@ -6,6 +6,7 @@
 //! Nothing here is stored: it is counted in the table whenever a schema grows.
 
 use super::simple_schema::SimpleSchema;
+use crate::snapshot::stored;
 use crate::word::{ActionId, ItemId};
 
 /// How often each item stands in contexts of one action.
@@ -56,6 +57,8 @@ impl<const WORDS: usize> Attention<WORDS> {
         1.0 + strength * f32::from(count.copied().unwrap_or(0)) / f32::from(self.most)
     }
 }
+
+stored! { impl[const WORDS: usize] Attention<WORDS> { named, most } }
 
 #[cfg(test)]
 mod tests {

@@ -8,6 +8,7 @@ use super::attention::Attention;
 use super::evidence::Evidence;
 use super::simple_schema::SimpleSchema;
 use crate::check::{Config, ConfigError, Range};
+use crate::snapshot::stored;
 use crate::word::{ActionId, ItemId, ItemSet, SchemaText, SignedItems};
 
 /// How contexts grow.
@@ -276,3 +277,5 @@ pub(crate) fn gain(before: Tally, after: Tally, generality: u8) -> f32 {
     }
     gain
 }
+
+stored! { impl[] Tally { agree, contradict } }

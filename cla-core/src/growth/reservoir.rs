@@ -6,6 +6,7 @@
 
 use super::evidence::{Evidence, Transition};
 use crate::num::Rng;
+use crate::snapshot::{Stored, Writer, stored};
 
 /// Up to `SAMPLES` pieces of evidence of one action, each context once; at most 65,535.
 ///
@@ -107,6 +108,35 @@ impl<const WORDS: usize, const SAMPLES: usize, E: Evidence<WORDS>> Default
 {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+stored! {
+    impl[const WORDS: usize, const SAMPLES: usize, E: Stored] Reservoir<WORDS, SAMPLES, E> {
+        samples, hardness
+    }
+}
+
+impl<const WORDS: usize, const SAMPLES: usize, E: Evidence<WORDS> + Stored>
+    Reservoir<WORDS, SAMPLES, E>
+{
+    /// Writes each sample, and how hard it was.
+    pub(crate) fn carry(&self, to: &mut Writer<'_>) {
+        (self.samples.len() as u16).store(to);
+        for (sample, hardness) in self.samples.iter().zip(&self.hardness) {
+            sample.store(to);
+            hardness.store(to);
+        }
+    }
+
+    /// Puts a sample behind the others, if there is room.
+    pub(crate) fn put(&mut self, sample: E, hardness: u8) {
+        let place = self.samples.len();
+        if self.samples.push(sample).is_ok()
+            && let Some(its) = self.hardness.get_mut(place)
+        {
+            *its = hardness;
+        }
     }
 }
 

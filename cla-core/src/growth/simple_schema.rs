@@ -7,6 +7,7 @@
 //! How contexts are found is not its business (see `grow`).
 
 use super::evidence::Evidence;
+use crate::snapshot::stored;
 use crate::word::{ActionId, ItemId, ItemSet, SchemaText, SignedItems};
 
 /// An item index that stands for no item: a simple schema speaks of items 0 to 254.
@@ -158,7 +159,7 @@ impl SimpleSchema {
             self.successes /= 2;
         }
         self.activations += 1;
-        self.successes += u16::from(success);
+        self.successes = self.successes.saturating_add(u16::from(success));
     }
 
     /// Counts remembered samples that agree, before the first trial.
@@ -372,6 +373,18 @@ impl<const SCHEMAS: usize> Default for SimpleSchemas<SCHEMAS> {
     fn default() -> Self {
         Self::new()
     }
+}
+
+impl SimpleSchema {
+    /// Whether its trials and its action, one of so many, can be so.
+    pub(crate) fn can_be(&self, actions: u16) -> bool {
+        self.successes <= self.activations && u16::from(self.action) < actions
+    }
+}
+
+stored! {
+    impl[] SimpleSchema { context, result, signs, action, idle, successes, activations }
+    sound |it, limits| it.can_be(limits.actions)
 }
 
 #[cfg(test)]

@@ -8,30 +8,43 @@ use crate::word::{ActionId, ItemId};
 impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
 {
+    /// What is lost of it and cannot be found again: what is worth having, or every schema.
+    ///
+    /// `actions` is how many the robot has.
+    pub(crate) fn lost(&self, actions: u16) -> Option<&'static str> {
+        let worth = |(item, &value): (u16, &f32)| {
+            let valued = self.valued.contains(ItemId(item));
+            (0.0..=LARGEST_VALUE).contains(&value) && (valued == (value > 0.0))
+        };
+        let mut values = (0_u16..).zip(self.inherent.as_flattened());
+        if !values.all(worth) {
+            return Some("what is worth having");
+        }
+        let known =
+            self.schemas.is_empty() || self.schemas.iter().any(|it| self.can_be(it, actions));
+        (!known).then_some("all that was known")
+    }
+
+    /// Whether a schema can be so.
+    fn can_be(&self, schema: &Schema, actions: u16) -> bool {
+        let is_sound = |id: PatternId| {
+            let pattern = self.patterns.get(usize::from(id.0));
+            pattern.is_some_and(|it| it.items.positive().is_disjoint(it.items.negative()))
+        };
+        schema.action < ActionId(actions)
+            && is_sound(schema.context)
+            && is_sound(schema.result)
+            && schema.is_sound()
+    }
+
     /// Drops schemas that cannot be so, forgets values that are none, and makes all links anew; answers
-    /// how many entries were dropped or forgotten, or `None` when what is worth having is lost.
+    /// how many entries were dropped or forgotten.
     ///
     /// `actions` is how many the robot has.
     /// Goes once through each table.
-    pub(crate) fn audit(&mut self, actions: u16) -> Option<u32> {
+    pub(crate) fn audit(&mut self, actions: u16) -> u32 {
         let patterns = self.patterns.len();
-        let before = self.schemas.len();
-        let Self {
-            patterns: table,
-            schemas,
-            ..
-        } = self;
-        let is_sound = |id: PatternId| {
-            let pattern = table.get(usize::from(id.0));
-            pattern.is_some_and(|it| it.items.positive().is_disjoint(it.items.negative()))
-        };
-        schemas.retain(|schema| {
-            schema.action < ActionId(actions)
-                && is_sound(schema.context)
-                && is_sound(schema.result)
-                && schema.is_sound()
-        });
-        let mut mended = (before - self.schemas.len()) as u32;
+        let mut mended = self.drop_unsound(actions);
         for pattern in &mut self.patterns {
             if !(0.0..=LARGEST).contains(&pattern.value) {
                 pattern.value = 0.0;
@@ -51,15 +64,25 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         self.drop_unused_patterns();
         mended += (patterns - self.patterns.len()) as u32;
         self.rebuild();
-        let worth = |(item, &value): (u16, &f32)| {
-            let valued = self.valued.contains(ItemId(item));
-            (0.0..=LARGEST_VALUE).contains(&value) && (valued == (value > 0.0))
-        };
-        let values = (0_u16..).zip(self.inherent.as_flattened());
-        values
-            .map(worth)
-            .fold(true, |all, it| all & it)
-            .then_some(mended)
+        mended
+    }
+
+    fn drop_unsound(&mut self, actions: u16) -> u32 {
+        let before = self.schemas.len();
+        let mut kept = 0;
+        for index in 0..before {
+            let Some(schema) = self.schemas.get(index).copied() else {
+                break;
+            };
+            if self.can_be(&schema, actions) {
+                if let Some(place) = self.schemas.get_mut(kept) {
+                    *place = schema;
+                }
+                kept += 1;
+            }
+        }
+        self.schemas.truncate(kept);
+        (before - kept) as u32
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod applicable;
 mod audit;
+mod carried;
 mod chains;
 mod harvest;
 mod record;

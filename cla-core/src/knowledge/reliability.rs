@@ -69,7 +69,7 @@ impl Reliability {
             self.successes /= 2;
         }
         self.activations += 1;
-        self.successes += u32::from(success);
+        self.successes = self.successes.saturating_add(u32::from(success));
         let trials = self.activations as f32;
         let step = if trials * forgetting > 1.01 {
             // The share is below, whatever the rounding: no division.

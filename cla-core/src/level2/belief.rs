@@ -78,7 +78,7 @@ pub(crate) struct BeliefTable<const ACTIONS: usize, const ITEMS: usize, const BE
     pub(crate) beliefs: heapless::Vec<Belief, BELIEFS, u16>,
     pub(crate) losses: BeliefLosses,
     /// Occasions recorded so far; it wraps.
-    clock: u32,
+    pub(super) clock: u32,
     /// Items and beliefs gone through in this step.
     pub(crate) cost: Cost,
 }

@@ -1,7 +1,7 @@
 //! How the second level learns, and when it leaves the decision to the first (book, 3.4, 6.2.3).
 
 use crate::check::{Config, ConfigError, Range};
-use crate::snapshot::{Reader, Stored, Writer, stored};
+use crate::snapshot::{Flip, Reader, Stored, Writer, stored};
 
 /// How the second level learns.
 ///
@@ -121,5 +121,13 @@ impl Stored for Fallback {
             _ => Self::ValueThenReliability,
         };
         from.require(kind <= 2);
+    }
+
+    // Which of them it is stays: each bit of it would make another shape.
+    fn flip(&mut self, by: &mut Flip) {
+        let _ = by.field(8);
+        if let Self::MeanReliability(share) = self {
+            share.flip(by);
+        }
     }
 }

@@ -8,6 +8,7 @@
 
 mod audit;
 mod belief;
+mod carried;
 mod config;
 mod maps;
 mod rates;

@@ -41,9 +41,9 @@ pub struct SecondLevel<const ACTIONS: usize, const SYNTHETIC: usize, const BELIE
     /// By which discount and share of experience the rows' `then` was computed.
     pub(super) rates: Rates,
     /// The item whose value is computed next.
-    next_value: u16,
+    pub(super) next_value: u16,
     /// Shares of right predictions: since the beginning, slowly and quickly forgetting.
-    predictions: Reliability,
+    pub(super) predictions: Reliability,
     pub(crate) slow: f32,
     pub(crate) fast: f32,
 }

@@ -373,9 +373,24 @@ impl<
         }
     }
 
+    /// Makes what follows from the weights anew.
+    pub(crate) fn rebuild(&mut self) {
+        self.context.rebuild();
+        self.result.rebuild();
+    }
+
+    /// Gives a sample a node of its own, as if it had won so often.
+    pub(crate) fn imprint<const WORDS: usize>(&mut self, sample: &Sample<WORDS>, wins: u16) {
+        let (_, node) = self.recruit(sample);
+        if let Some(place) = self.wins.as_mut_slice().get_mut(usize::from(node.0)) {
+            *place = wins.max(1);
+        }
+    }
+
     /// Makes nodes whose weights cannot be so free ones; answers how many.
     pub(crate) fn audit(&mut self) -> u32 {
-        let mut mended = 0;
+        let mut mended = u32::from(self.context.audit_whole());
+        mended += u32::from(self.result.audit_whole());
         for node in self.nodes() {
             if !(self.context.audit(node) | self.result.audit(node)) {
                 continue;

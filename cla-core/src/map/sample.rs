@@ -2,7 +2,7 @@
 
 use crate::snapshot::stored_codes;
 use crate::som::SparseStimulus;
-use crate::word::{ItemSet, ItemStates};
+use crate::word::{ItemSet, ItemStates, SignedItems};
 
 /// How the result half of a stimulus is written (book, 5.3.1 and 6.2.2).
 ///
@@ -73,6 +73,28 @@ impl<const WORDS: usize> Sample<WORDS> {
             result_on,
             result_minus,
             result_unknown: all.difference(&known),
+        }
+    }
+
+    /// The stimulus that says what a schema says, and nothing of other items.
+    pub(crate) fn of_schema(
+        context: &SignedItems<WORDS>,
+        result: &SignedItems<WORDS>,
+        coding: ResultCoding,
+        items: u16,
+    ) -> Self {
+        let all = ItemSet::first(items);
+        let named = |it: &SignedItems<WORDS>| it.positive().union(it.negative());
+        let result_minus = match coding {
+            ResultCoding::EndState => ItemSet::EMPTY,
+            ResultCoding::Change => *result.negative(),
+        };
+        Self {
+            context_on: *context.positive(),
+            context_unknown: all.difference(&named(context)),
+            result_on: *result.positive(),
+            result_minus,
+            result_unknown: all.difference(&named(result)),
         }
     }
 

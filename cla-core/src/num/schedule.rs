@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::{exp, ln};
-use crate::snapshot::{Reader, Stored, Writer, stored};
+use crate::snapshot::{Flip, Reader, Stored, Writer, stored};
 
 /// A parameter as a function of the number of samples that a map has seen.
 ///
@@ -276,6 +276,20 @@ impl Stored for Shape {
             1 => Self::Geometric { steps },
             _ => Self::Decay { time_constant },
         };
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        if by.field(8) == Some(0) {
+            *self = match *self {
+                Self::Linear { steps } => Self::Geometric { steps },
+                Self::Geometric { steps } => Self::Linear { steps },
+                decay @ Self::Decay { .. } => decay,
+            };
+        }
+        match self {
+            Self::Linear { steps } | Self::Geometric { steps } => steps.flip(by),
+            Self::Decay { time_constant } => time_constant.flip(by),
+        }
     }
 }
 

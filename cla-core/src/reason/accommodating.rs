@@ -5,9 +5,10 @@ use super::experience::Experience;
 use super::growing::{Growing, Growth};
 use super::record::{MATURE, Record};
 use super::table::Table;
-use crate::growth::{Entry, Evidence, GrowthConfig, Reservoir};
+use crate::growth::{Entry, Evidence, GrowthConfig, Reservoir, SimpleSchema};
 use crate::num::Rng;
-use crate::word::{ActionId, ItemId, ItemSet};
+use crate::snapshot::{Reader, Stored, Writer, stored};
+use crate::word::{ActionId, ItemId, ItemSet, ItemStates};
 
 /// Remembered samples that are looked at again for each action, while something is unforeseen there.
 const REVISITS: u8 = 16;
@@ -109,7 +110,7 @@ impl<
         let (mut failed, mut held, mut betrayed) = (0_u16, 0_u16, 0_u16);
         let mut dropped = false;
         self.table.record(action, sample, |schema, success| {
-            let before = schema.successes() - u16::from(success);
+            let before = schema.successes().saturating_sub(u16::from(success));
             if before >= MATURE {
                 held += u16::from(success);
                 betrayed += u16::from(!success);
@@ -122,7 +123,7 @@ impl<
                 return true;
             }
             failed = failed.saturating_add(1);
-            let failures = schema.activations() - schema.successes();
+            let failures = schema.activations().saturating_sub(schema.successes());
             let kept = noise > 0.0 && (failures <= 1 || schema.reliability() >= keep);
             dropped |= !kept;
             kept
@@ -251,6 +252,104 @@ impl<
         match open.iter().nth(which) {
             Some(item) => units + self.explain(action, &seed, item, everything),
             None => units,
+        }
+    }
+}
+
+stored! {
+    impl[
+        const WORDS: usize,
+        const ITEMS: usize,
+        const ACTIONS: usize,
+        const SAMPLES: usize,
+        const SCHEMAS: usize
+    ]
+    Accommodating<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS> {
+        table, reservoirs, records, growing, newest, action, open, again, revisits, news, rng
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+> Accommodating<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS>
+{
+    /// Drops schemas that cannot be so and stops a context of an action that there is not; answers how
+    /// many.
+    pub(super) fn audit(&mut self) -> u32 {
+        let (dropped, moved) = self.table.audit();
+        self.news |= dropped > 0 || moved;
+        let lost = !self.growing.rests() && usize::from(self.growing.action()) >= ACTIONS;
+        if lost {
+            self.growing.stop();
+        }
+        dropped + u32::from(moved) + u32::from(lost)
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+> Accommodating<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS>
+{
+    /// Writes schemas, records and samples.
+    pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        (self.table.all().len() as u16).store(to);
+        for schema in self.table.all() {
+            schema.store(to);
+        }
+        for (record, reservoir) in self.records.iter().zip(&self.reservoirs) {
+            record.store(to);
+            reservoir.carry(to);
+        }
+    }
+
+    /// Reads them from one of so many words and actions, over what is there if there is anybody.
+    pub(super) fn take(
+        mut into: Option<&mut Self>,
+        (words, actions): (usize, usize),
+        from: &mut Reader<'_>,
+    ) {
+        for _ in 0..from.count("schemas", SCHEMAS) {
+            let mut schema = SimpleSchema::BLANK;
+            schema.restore(from);
+            if from.is_wrong() {
+                return;
+            }
+            if let Some(it) = &mut into {
+                // They stood beside each other by themselves, so none covers another.
+                let _ = it.table.enter(schema);
+            }
+        }
+        for action in 0..actions {
+            let mut record = Record::NEW;
+            record.restore(from);
+            if let Some(place) = into.as_mut().and_then(|it| it.records.get_mut(action)) {
+                *place = record;
+            }
+            let samples = from.count("remembered samples of an action", SAMPLES);
+            for _ in 0..samples {
+                let (before, after) =
+                    (ItemStates::take(words, from), ItemStates::take(words, from));
+                let mut hardness = 0;
+                hardness.restore(from);
+                if from.is_wrong() {
+                    return;
+                }
+                let place = into.as_mut().and_then(|it| it.reservoirs.get_mut(action));
+                if let Some(place) = place {
+                    place.put(Experience { before, after }, hardness);
+                }
+            }
+        }
+        if let Some(it) = into {
+            it.news = true;
         }
     }
 }

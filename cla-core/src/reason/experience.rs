@@ -1,6 +1,7 @@
 //! One completed action as it was perceived, unknown items included.
 
 use crate::growth::Evidence;
+use crate::snapshot::stored;
 use crate::word::{ItemId, ItemSet, ItemStates};
 
 /// What was perceived before an action and after it; what was unknown says nothing.
@@ -74,3 +75,5 @@ impl<const WORDS: usize> Evidence<WORDS> for Experience<WORDS> {
         }
     }
 }
+
+stored! { impl[const WORDS: usize] Experience<WORDS> { before, after } }

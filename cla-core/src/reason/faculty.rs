@@ -5,6 +5,7 @@ use super::experience::Experience;
 use super::imagined::{Imagined, NEVER};
 use super::pursuit::{Aim, Pursuit, Way};
 use crate::growth::SimpleSchema;
+use crate::snapshot::{Reader, Writer, stored};
 use crate::word::{ActionId, ItemSet, ItemStates, SchemaText, SignedItems};
 
 /// The discount of what may be had.
@@ -530,7 +531,7 @@ const fn after<const ACTIONS: usize>(at: u16, action: u8) -> (u16, u8) {
     if action as usize + 1 < ACTIONS {
         (at, action + 1)
     } else {
-        (at + 1, 0)
+        (at.saturating_add(1), 0)
     }
 }
 
@@ -543,6 +544,79 @@ fn bounded(worth: f32) -> f32 {
     }
     let all = if worth > 0.0 { MOST } else { -MOST };
     if worth.is_nan() { 0.0 } else { all }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+    const NODES: usize,
+> Reason<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS, NODES>
+{
+    /// Drops what cannot be so: schemas, and all that is imagined when its lists are broken; what is
+    /// worth having is `values` again. Answers how many.
+    pub(super) fn audit(&mut self, values: [f32; ITEMS]) -> u32 {
+        let mut mended = self.known.audit();
+        let values = values.map(bounded);
+        if self.values.map(f32::to_bits) != values.map(f32::to_bits) {
+            self.values = values;
+            mended += 1;
+        }
+        if self.imagined.audit() {
+            mended += 1;
+            self.stale = true;
+            self.moving = true;
+            self.next = (0, 0);
+            let believed = self.believed;
+            self.here = self.arrive(&believed);
+            self.front = (self.here, 0);
+        }
+        mended
+    }
+}
+
+stored! {
+    impl[
+        const WORDS: usize,
+        const ITEMS: usize,
+        const ACTIONS: usize,
+        const SAMPLES: usize,
+        const SCHEMAS: usize,
+        const NODES: usize
+    ]
+    Reason<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS, NODES> {
+        known, imagined, believed, here, next, front, sweep, upward, moving, moved, stale, fresher,
+        values => within MOST,
+        aim,
+        kept => within 1.1
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const SAMPLES: usize,
+    const SCHEMAS: usize,
+    const NODES: usize,
+> Reason<WORDS, ITEMS, ACTIONS, SAMPLES, SCHEMAS, NODES>
+{
+    /// Writes schemas and remembered samples; what is imagined is imagined anew.
+    pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        self.known.carry(to);
+    }
+
+    /// Reads that from one of so many words and actions, over what is there if there is anybody, which
+    /// has just begun.
+    pub(super) fn take(into: Option<&mut Self>, robot: (usize, usize), from: &mut Reader<'_>) {
+        let known = into.map(|it| {
+            it.stale = true;
+            &mut it.known
+        });
+        Accommodating::take(known, robot, from);
+    }
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@
 
 use super::experience::Experience;
 use crate::growth::{Attention, Evidence, GrowthConfig, SimpleSchema, Tally, gain};
+use crate::snapshot::{stored, stored_codes};
 use crate::word::{ActionId, ItemId, ItemSet, SchemaText, SignedItems};
 
 /// Items counted in a unit of work.
@@ -295,5 +296,17 @@ impl<const WORDS: usize> Growing<WORDS> {
         let Tally { agree, contradict } = self.tally;
         schema.begin_with(agree, agree.saturating_add(contradict));
         Some(schema)
+    }
+}
+
+stored_codes!(Phase {
+    0: (Self::Rest),
+    1: (Self::Counting),
+    2: (Self::Pruning)
+});
+stored! {
+    impl[const WORDS: usize] Growing<WORDS> {
+        phase, action, sign, item, tolerance, at, seed, eligible, context, attention, tally, agree,
+        contradict
     }
 }

@@ -7,6 +7,7 @@
 //! A full graph forgets, some states a tick, what was only imagined, and begins anew when that is not
 //! enough.
 
+use crate::snapshot::{stored, stored_codes};
 use crate::word::{ItemSet, SignedItems};
 
 /// A link to a state that cannot be, or that found no place.
@@ -144,7 +145,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
 
     /// How many states there are.
     pub(super) const fn count(&self) -> u16 {
-        self.len - self.vacant
+        self.len.saturating_sub(self.vacant)
     }
 
     fn node(&self, at: u16) -> Option<&Node<WORDS, ACTIONS>> {
@@ -196,9 +197,9 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         let node = self.nodes.get_mut(usize::from(at))?;
         if self.free > 0 {
             self.free = node.next;
-            self.vacant -= 1;
+            self.vacant = self.vacant.saturating_sub(1);
         } else {
-            self.len += 1;
+            self.len = self.len.saturating_add(1);
         }
         *node = Node {
             on: *on,
@@ -211,7 +212,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             distance: NEVER,
             marks: 0,
         };
-        *bucket = at + 1;
+        *bucket = at.wrapping_add(1);
         Some(at)
     }
 
@@ -250,7 +251,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
     /// States that were perceived stay, unless they alone fill the graph: then it begins anew.
     pub(super) fn make_room(&mut self) -> bool {
         let at = self.at;
-        self.at += 1;
+        self.at = self.at.saturating_add(1);
         match self.room {
             Room::Enough => return false,
             Room::Cutting if at >= self.len => {
@@ -322,7 +323,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             node.next = free;
         }
         self.free = at + 1;
-        self.vacant += 1;
+        self.vacant = self.vacant.saturating_add(1);
     }
 
     /// What arriving in a state has brought.
@@ -366,7 +367,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
     /// Whether an action led where it was foreseen to lead; `None` where nothing was foreseen.
     pub(super) fn kept(&self, from: u16, action: u8, to: u16) -> Option<bool> {
         let link = self.link(from, action)?;
-        (link != 0).then_some(link == to + 1)
+        (link != 0).then_some(link == to.wrapping_add(1))
     }
 
     /// The states that were lived through: an action led from one to the other. Where it does not
@@ -377,7 +378,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
             return false;
         }
         let bit = 1_u32 << (action & 31);
-        let same = self.link(from, action) == Some(to + 1);
+        let same = self.link(from, action) == Some(to.wrapping_add(1));
         let Some(node) = self.node_mut(from) else {
             return false;
         };
@@ -392,7 +393,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         }
         node.doubted &= !bit;
         node.lived |= bit;
-        self.set_link(from, action, to + 1)
+        self.set_link(from, action, to.wrapping_add(1))
     }
 
     /// Whether the link of an action was lived through.
@@ -423,7 +424,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         } else {
             None
         };
-        self.set_link(from, action, to.map_or(REFUSED, |to| to + 1))
+        self.set_link(from, action, to.map_or(REFUSED, |to| to.wrapping_add(1)))
     }
 
     /// Brings one state up to date with those around it; answers whether that changed it.
@@ -500,6 +501,70 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
 
 fn holds<const WORDS: usize>(goal: &SignedItems<WORDS>, on: &ItemSet<WORDS>) -> bool {
     goal.positive().is_subset(on) && goal.negative().is_disjoint(on)
+}
+
+impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: usize>
+    Imagined<WORDS, ITEMS, ACTIONS, NODES>
+{
+    /// Forgets all states when their lists cannot be so; whether they could not.
+    pub(super) fn audit(&mut self) -> bool {
+        let sound = self.is_sound();
+        if !sound {
+            self.forget();
+        }
+        !sound
+    }
+
+    /// Whether each state stands in the list of its hash, once, and each free place in that of free
+    /// ones.
+    fn is_sound(&self) -> bool {
+        if usize::from(self.len) > NODES || self.vacant > self.len {
+            return false;
+        }
+        let mut left = self.len;
+        for (bucket, first) in self.buckets.iter().enumerate() {
+            let mut at = *first;
+            while let Some(here) = at.checked_sub(1) {
+                let node = self.node(here).filter(|node| !node.is_free());
+                let Some(node) = node.filter(|node| Self::bucket(&node.on) == bucket) else {
+                    return false;
+                };
+                // A ring has no end, and there are no more states than places.
+                let Some(fewer) = left.checked_sub(1) else {
+                    return false;
+                };
+                (left, at) = (fewer, node.next);
+            }
+        }
+        let mut at = self.free;
+        while let Some(here) = at.checked_sub(1) {
+            let Some(node) = self.node(here).filter(|node| node.is_free()) else {
+                return false;
+            };
+            let Some(fewer) = left.checked_sub(1) else {
+                return false;
+            };
+            (left, at) = (fewer, node.next);
+        }
+        left == 0
+    }
+}
+
+stored_codes!(Room {
+    0: (Self::Enough),
+    1: (Self::Cutting),
+    2: (Self::Clearing)
+});
+stored! {
+    impl[const WORDS: usize, const ACTIONS: usize] Node<WORDS, ACTIONS> {
+        on, links, lived, doubted, worth, value, next, distance, marks
+    }
+}
+stored! {
+    impl[const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: usize]
+    Imagined<WORDS, ITEMS, ACTIONS, NODES> {
+        nodes, buckets, len if |it: &u16| usize::from(*it) <= NODES, free, vacant, room, at, together
+    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! A goal that is pursued: for how long, and what has come of it.
 
+use crate::snapshot::{Flip, Reader, Stored, Writer, stored};
 use crate::word::{ItemStates, SignedItems};
 
 /// Where the pursuit of a goal stands.
@@ -92,5 +93,49 @@ impl<const WORDS: usize> Aim<WORDS> {
     /// The goal, while it is pursued.
     pub(super) fn goal(&self) -> Option<&SignedItems<WORDS>> {
         self.state.is_underway().then_some(&self.goal)
+    }
+}
+
+stored! { impl[const WORDS: usize] Aim<WORDS> { goal, state } }
+
+impl Stored for Pursuit {
+    const BLANK: Self = Self::Nothing;
+
+    fn store(&self, to: &mut Writer<'_>) {
+        let (kind, left) = match *self {
+            Self::Nothing => (0_u8, 0),
+            Self::Underway { left } => (1, left),
+            Self::Reached => (2, 0),
+            Self::TimedOut => (3, 0),
+        };
+        (kind, left).store(to);
+    }
+
+    fn restore(&mut self, from: &mut Reader<'_>) {
+        let (mut kind, mut left) = (0_u8, 0_u16);
+        kind.restore(from);
+        left.restore(from);
+        *self = match kind {
+            0 => Self::Nothing,
+            1 => Self::Underway { left },
+            2 => Self::Reached,
+            _ => Self::TimedOut,
+        };
+        from.require(kind <= 3);
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        let kind = by.field(8);
+        let left = by.field(16);
+        *self = match (*self, kind, left) {
+            (Self::Underway { left }, None, Some(bit)) => Self::Underway {
+                left: left ^ 1_u16.wrapping_shl(bit),
+            },
+            (Self::Nothing, Some(0), _) => Self::Underway { left: 0 },
+            (Self::Underway { .. }, Some(0), _) => Self::Nothing,
+            (Self::Reached, Some(0), _) => Self::TimedOut,
+            (Self::TimedOut, Some(0), _) => Self::Reached,
+            (same, _, _) => same,
+        };
     }
 }

@@ -2,6 +2,7 @@
 
 use super::faculty::{Prospects, Reason};
 use super::pursuit::Pursuit;
+use crate::snapshot::{Reader, Writer};
 use crate::word::{ActionId, ItemStates, SchemaText, SignedItems};
 
 /// A faculty of schemas and goals, or `()`: none at all, which takes 0 bytes and does nothing.
@@ -24,6 +25,26 @@ pub trait Reasoning<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize
 
     /// Whether there is anything at all.
     const THERE: bool;
+
+    /// Remembered samples of an action, schemas, imagined states; 0 where there is nothing.
+    const CAPACITIES: [u32; 3];
+
+    /// Drops what cannot be so, `values` being what is worth having; answers how many.
+    fn audit(&mut self, values: [f32; ITEMS]) -> u32;
+
+    /// Writes schemas and samples, as knowledge alone.
+    #[doc(hidden)]
+    fn carry(&self, to: &mut Writer<'_>);
+
+    /// Reads what was written in that way by one with `capacities` and so many words and actions, over
+    /// what is there if there is anybody.
+    #[doc(hidden)]
+    fn take(
+        into: Option<&mut Self>,
+        capacities: [usize; 3],
+        robot: (usize, usize),
+        from: &mut Reader<'_>,
+    );
 
     /// See [`Reason::begin`].
     fn begin(&mut self, values: [f32; ITEMS], seed: u64);
@@ -76,6 +97,25 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Reasoning<WOR
 {
     const NEW: Self = ();
     const THERE: bool = false;
+    const CAPACITIES: [u32; 3] = [0; 3];
+
+    fn audit(&mut self, _: [f32; ITEMS]) -> u32 {
+        0
+    }
+
+    fn carry(&self, _: &mut Writer<'_>) {}
+
+    fn take(
+        _: Option<&mut Self>,
+        [_, schemas, _]: [usize; 3],
+        _: (usize, usize),
+        from: &mut Reader<'_>,
+    ) {
+        if schemas > 0 {
+            let _ = from.count("schemas", 0);
+            from.refuse();
+        }
+    }
 
     fn begin(&mut self, _: [f32; ITEMS], _: u64) {}
 
@@ -133,6 +173,27 @@ impl<
 {
     const NEW: Self = Self::new();
     const THERE: bool = true;
+    const CAPACITIES: [u32; 3] = [SAMPLES as u32, SCHEMAS as u32, NODES as u32];
+
+    fn audit(&mut self, values: [f32; ITEMS]) -> u32 {
+        Self::audit(self, values)
+    }
+
+    fn carry(&self, to: &mut Writer<'_>) {
+        Self::carry(self, to);
+    }
+
+    fn take(
+        into: Option<&mut Self>,
+        [_, schemas, _]: [usize; 3],
+        robot: (usize, usize),
+        from: &mut Reader<'_>,
+    ) {
+        // A mind without a reason had none of it.
+        if schemas > 0 {
+            Self::take(into, robot, from);
+        }
+    }
 
     fn begin(&mut self, values: [f32; ITEMS], seed: u64) {
         Self::begin(self, values, seed);

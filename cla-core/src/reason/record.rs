@@ -4,6 +4,8 @@
 //! before, and a schema that held often holds always; how far either is untrue is what schemas of
 //! this action must be forgiven (EXACT and TOLERANT of `growth`, learned instead of configured).
 
+use crate::snapshot::stored;
+
 /// Trials after which both counts of a share are halved.
 const REMEMBERED: u16 = 400;
 /// Trials without which nothing is said.
@@ -27,7 +29,7 @@ impl Share {
             self.bad /= 2;
         }
         self.trials += 1;
-        self.bad += bad as u16;
+        self.bad = self.bad.saturating_add(bad as u16);
     }
 
     fn value(self) -> Option<f32> {
@@ -76,3 +78,9 @@ impl Record {
 /// Where contexts never come again, so many failures of mature schemas are still those of schemas
 /// that say too little.
 const CREDIBLE: f32 = 0.02;
+
+stored! {
+    impl[] Share { trials, bad }
+    sound |it, _limits| it.bad <= it.trials
+}
+stored! { impl[] Record { repeated, trusted } }

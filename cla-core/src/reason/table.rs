@@ -4,6 +4,7 @@
 //! has, not what the table has.
 
 use crate::growth::{Entry, Evidence, SimpleSchema};
+use crate::snapshot::stored;
 use crate::word::{ActionId, ItemSet, SchemaText, SignedItems};
 
 /// Up to `SCHEMAS` schemas of `ACTIONS` actions.
@@ -85,7 +86,7 @@ impl<const SCHEMAS: usize, const ACTIONS: usize> Table<SCHEMAS, ACTIONS> {
             *place = schema;
         }
         for end in self.ends.iter_mut().skip(action) {
-            *end += 1;
+            *end = end.saturating_add(1);
         }
         true
     }
@@ -296,6 +297,38 @@ fn slot<'a, const WORDS: usize>(
 ) -> Option<&'a mut u16> {
     of.as_flattened_mut()
         .get_mut(usize::from(schema.result_item().0))
+}
+
+impl<const SCHEMAS: usize, const ACTIONS: usize> Table<SCHEMAS, ACTIONS> {
+    /// Drops schemas that cannot be so and lays those of one action beside each other; answers how
+    /// many were dropped, and whether anything was out of its place.
+    pub(super) fn audit(&mut self) -> (u32, bool) {
+        let before = self.schemas.len();
+        self.schemas.retain(|it| it.can_be(ACTIONS as u16));
+        let dropped = (before - self.schemas.len()) as u32;
+        let ends = self.ends;
+        let mut next = 0;
+        let mut moved = false;
+        for (action, end) in self.ends.iter_mut().enumerate() {
+            let mut at = next;
+            while let Some(schema) = self.schemas.get(at) {
+                if usize::from(schema.action().0) == action {
+                    moved |= at != next;
+                    self.schemas.swap(at, next);
+                    next += 1;
+                }
+                at += 1;
+            }
+            *end = next as u16;
+        }
+        (dropped, moved || self.ends != ends)
+    }
+}
+
+stored! {
+    impl[const SCHEMAS: usize, const ACTIONS: usize] Table<SCHEMAS, ACTIONS> {
+        schemas, ends if |it: &[u16; ACTIONS]| it.is_sorted(), evicted, refused
+    }
 }
 
 #[cfg(test)]

@@ -11,6 +11,8 @@ const MAGIC: [u8; 8] = *b"CLABRAIN";
 pub(super) const HEADER: u16 = 80;
 /// Which arithmetic a life was lived with: another one goes on with other bits.
 pub(super) const NUMERICS: u16 = if cfg!(feature = "micromath") { 2 } else { 1 };
+/// The bit of a kind that says: knowledge alone.
+const KNOWLEDGE: u8 = 128;
 /// Capacities at most.
 const CAPACITIES: usize = 12;
 
@@ -23,7 +25,7 @@ const CAPACITIES: usize = 12;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Profile {
-    /// 1 for an agent, 2 for a mind.
+    /// 1 for an agent, 2 for a mind; 128 more for what it knows alone.
     pub(crate) kind: u8,
     /// What a weight of a map is stored in: 1 for `f32`, 2 for a byte, 0 without maps.
     pub(crate) weights: u8,
@@ -89,6 +91,91 @@ pub(super) fn write(profile: &Profile, names: Names, length: u32, to: &mut Write
     to.end_section();
 }
 
+/// What a header says that has the right checksum and the right arithmetic.
+struct Found {
+    kind: u8,
+    weights: u8,
+    capacities: [u32; CAPACITIES],
+    names: Names,
+    length: u32,
+}
+
+/// The profile of an image of knowledge alone: of another kind, and without maps.
+pub(super) const fn of_knowledge(profile: &Profile) -> Profile {
+    Profile {
+        kind: profile.kind | KNOWLEDGE,
+        weights: 0,
+        capacities: profile.capacities,
+    }
+}
+
+/// How large the brain was whose knowledge is read, in the order of its profile.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin {
+    capacities: [u32; CAPACITIES],
+}
+
+impl Origin {
+    /// The capacity of that number, at most `most`: a loop over it is bounded by it.
+    pub(crate) fn capacity(&self, number: usize, most: usize) -> usize {
+        let found = self.capacities.get(number).copied().unwrap_or(0);
+        (found as usize).min(most)
+    }
+}
+
+/// How long an image of knowledge is, and how large the brain was.
+pub(super) struct Kept {
+    pub(super) length: u32,
+    pub(super) origin: Origin,
+}
+
+/// A robot that is to take knowledge: which capacities are those of its items and actions, and what
+/// they are called.
+pub(super) struct Robot<'a> {
+    pub(super) places: [usize; 2],
+    pub(super) names: [&'a [&'a str]; 2],
+}
+
+/// Reads the header of an image of knowledge for a brain of this profile.
+pub(super) fn read_knowledge<E>(
+    profile: &Profile,
+    robot: &Robot<'_>,
+    there: u32,
+    from: &mut Reader<'_>,
+) -> Result<Kept, LoadError<E>> {
+    let found = found(there, from)?;
+    if found.kind != profile.kind | KNOWLEDGE {
+        return Err(LoadError::Kind);
+    }
+    let own = profile.capacities.iter().copied();
+    let all = found.capacities.into_iter().zip(own);
+    for (number, (image, (name, here))) in all.enumerate() {
+        if robot.places.contains(&number) && image > here {
+            return Err(LoadError::Capacity { name, image, here });
+        }
+    }
+    let [items, actions] = robot.names;
+    let [item_count, action_count] = robot.places.map(|at| {
+        let many = found.capacities.get(at).copied();
+        many.unwrap_or(0) as usize
+    });
+    let differ = |image, names: &[&str], many| {
+        image != 0 && image != sum(names.get(..many).unwrap_or(names))
+    };
+    if differ(found.names.items, items, item_count) {
+        return Err(LoadError::Items);
+    }
+    if differ(found.names.actions, actions, action_count) {
+        return Err(LoadError::Actions);
+    }
+    Ok(Kept {
+        length: found.length,
+        origin: Origin {
+            capacities: found.capacities,
+        },
+    })
+}
+
 /// Reads the header; how long the image is.
 pub(super) fn read<E>(
     profile: &Profile,
@@ -96,12 +183,37 @@ pub(super) fn read<E>(
     there: u32,
     from: &mut Reader<'_>,
 ) -> Result<u32, LoadError<E>> {
+    let found = found(there, from)?;
+    if found.kind != profile.kind {
+        return Err(LoadError::Kind);
+    }
+    if found.weights != profile.weights {
+        return Err(LoadError::Weights);
+    }
+    let own = profile.capacities.iter().copied();
+    let own = own.chain([("capacities", 0); CAPACITIES]);
+    for (image, (name, here)) in found.capacities.into_iter().zip(own) {
+        if image != here {
+            return Err(LoadError::Capacity { name, image, here });
+        }
+    }
+    let differ = |one, other| one != 0 && other != 0 && one != other;
+    if differ(found.names.items, names.items) {
+        return Err(LoadError::Items);
+    }
+    if differ(found.names.actions, names.actions) {
+        return Err(LoadError::Actions);
+    }
+    Ok(found.length)
+}
+
+fn found<E>(there: u32, from: &mut Reader<'_>) -> Result<Found, LoadError<E>> {
     if there < u32::from(HEADER) {
         return Err(LoadError::Truncated);
     }
     from.allow(u32::from(HEADER) - 4);
     let magic: [u8; 8] = from.bytes();
-    let [version, _, numerics] = [(); 3].map(|()| u16::from_le_bytes(from.bytes()));
+    let [version, header, numerics] = [(); 3].map(|()| u16::from_le_bytes(from.bytes()));
     let [kind, weights] = from.bytes();
     let capacities = [(); CAPACITIES].map(|()| u32::from_le_bytes(from.bytes()));
     let [items, actions, length] = [(); 3].map(|()| u32::from_le_bytes(from.bytes()));
@@ -123,31 +235,20 @@ pub(super) fn read<E>(
     if version != VERSION {
         return Err(LoadError::Version { image: version });
     }
+    if header != HEADER || length < u32::from(HEADER) {
+        return Err(LoadError::Damaged("header"));
+    }
     if numerics != NUMERICS {
         return Err(LoadError::Numerics);
-    }
-    if kind != profile.kind {
-        return Err(LoadError::Kind);
-    }
-    if weights != profile.weights {
-        return Err(LoadError::Weights);
-    }
-    let own = profile.capacities.iter().copied();
-    let own = own.chain([("capacities", 0); CAPACITIES]);
-    for (image, (name, here)) in capacities.into_iter().zip(own) {
-        if image != here {
-            return Err(LoadError::Capacity { name, image, here });
-        }
-    }
-    let differ = |one, other| one != 0 && other != 0 && one != other;
-    if differ(items, names.items) {
-        return Err(LoadError::Items);
-    }
-    if differ(actions, names.actions) {
-        return Err(LoadError::Actions);
     }
     if length > there {
         return Err(LoadError::Truncated);
     }
-    Ok(length)
+    Ok(Found {
+        kind,
+        weights,
+        capacities,
+        names: Names { items, actions },
+        length,
+    })
 }

@@ -4,7 +4,7 @@ use super::header::{self, HEADER, Names, Profile};
 use super::limits::Limits;
 use super::port::{Sink, Source};
 use super::refusal::{LoadError, SaveError};
-use super::{Reader, Writer};
+use super::{Flip, Mender, Reader, Writer};
 
 /// Bytes around the fields of a section: number, length and checksum.
 const FRAME: u32 = 2 + 4 + 4;
@@ -44,6 +44,14 @@ pub trait Snapshot {
     #[doc(hidden)]
     fn restore_section(&mut self, number: usize, from: &mut Reader<'_>);
 
+    /// Makes what cannot be so in the section of that number blank, in place.
+    #[doc(hidden)]
+    fn mend_section(&mut self, number: usize, by: &mut Mender);
+
+    /// Turns a bit of the section of that number, if it is one of its bits.
+    #[doc(hidden)]
+    fn flip_section(&mut self, number: usize, by: &mut Flip);
+
     /// Makes what is not stored, after all sections were read.
     #[doc(hidden)]
     fn rebuild(&mut self);
@@ -82,55 +90,77 @@ pub fn save<B: Snapshot, S: Sink>(
     names: Names,
     sink: &mut S,
 ) -> Result<u32, SaveError<S::Error>> {
+    let parts = Parts {
+        profile: B::PROFILE,
+        names,
+        sections: B::SECTIONS,
+        limits: B::limits(),
+        store: B::store_section,
+    };
     if !brain.is_born() {
         return Err(SaveError::NotBorn);
     }
-    let mut length = u32::from(HEADER) + 4;
-    let mut measured = Writer::counting(B::limits());
-    for (number, name) in B::SECTIONS.iter().enumerate() {
-        measure(brain, number, &mut measured);
-        if measured.is_unsound() {
-            return Err(SaveError::Unsound(name));
-        }
-        length = length.wrapping_add(FRAME);
-    }
-    length = length.wrapping_add(measured.length());
-    let mut error = None;
-    let mut out = |piece: &[u8]| match sink.write(piece) {
-        Ok(()) => true,
-        Err(it) => {
-            error = Some(it);
-            false
-        }
-    };
-    write(brain, names, length, &mut out);
-    match error {
-        None => Ok(length),
-        Some(error) => Err(SaveError::Sink(error)),
-    }
+    parts.save(brain, sink)
 }
 
-fn measure<B: Snapshot>(brain: &B, number: usize, measured: &mut Writer<'_>) {
-    brain.store_section(number, measured);
-    measured.limits.begin_section();
+/// What an image is made of.
+pub(super) struct Parts<B> {
+    pub(super) profile: Profile,
+    pub(super) names: Names,
+    pub(super) sections: &'static [&'static str],
+    pub(super) limits: Limits,
+    pub(super) store: fn(&B, usize, &mut Writer<'_>),
 }
 
-#[inline(never)]
-fn write<B: Snapshot>(brain: &B, names: Names, length: u32, out: &mut dyn FnMut(&[u8]) -> bool) {
-    let mut to = Writer::into(out, B::limits());
-    header::write(&B::PROFILE, names, length, &mut to);
-    for number in 0..B::SECTIONS.len() {
-        let mut section = Writer::counting(to.limits);
-        brain.store_section(number, &mut section);
-        to.bytes(&(number as u16).to_le_bytes());
-        to.bytes(&section.length().to_le_bytes());
-        brain.store_section(number, &mut to);
-        to.end_section();
-        if to.has_failed() {
-            return;
+impl<B> Parts<B> {
+    pub(super) fn save<S: Sink>(
+        &self,
+        brain: &B,
+        sink: &mut S,
+    ) -> Result<u32, SaveError<S::Error>> {
+        let mut length = u32::from(HEADER) + 4;
+        let mut measured = Writer::counting(self.limits);
+        for (number, name) in self.sections.iter().enumerate() {
+            (self.store)(brain, number, &mut measured);
+            measured.limits.begin_section();
+            if measured.is_unsound() {
+                return Err(SaveError::Unsound(name));
+            }
+            length = length.wrapping_add(FRAME);
+        }
+        length = length.wrapping_add(measured.length());
+        let mut error = None;
+        let mut out = |piece: &[u8]| match sink.write(piece) {
+            Ok(()) => true,
+            Err(it) => {
+                error = Some(it);
+                false
+            }
+        };
+        self.write(brain, length, &mut out);
+        match error {
+            None => Ok(length),
+            Some(error) => Err(SaveError::Sink(error)),
         }
     }
-    to.end_image();
+
+    #[inline(never)]
+    fn write(&self, brain: &B, length: u32, out: &mut dyn FnMut(&[u8]) -> bool) {
+        let mut to = Writer::into(out, self.limits);
+        header::write(&self.profile, self.names, length, &mut to);
+        for number in 0..self.sections.len() {
+            let mut section = Writer::counting(to.limits);
+            (self.store)(brain, number, &mut section);
+            to.bytes(&(number as u16).to_le_bytes());
+            to.bytes(&section.length().to_le_bytes());
+            (self.store)(brain, number, &mut to);
+            to.end_section();
+            if to.has_failed() {
+                return;
+            }
+        }
+        to.end_image();
+    }
 }
 
 /// Loads a brain from its image; answers the bytes of the image.
@@ -141,7 +171,8 @@ fn write<B: Snapshot>(brain: &B, names: Names, length: u32, out: &mut dyn FnMut(
 /// See [`save`] for an example.
 ///
 /// # Errors
-/// [`LoadError`]; the brain is as it was, but for [`LoadError::Changed`], after which it is unborn.
+/// [`LoadError`]; the brain is as it was, but for [`LoadError::Changed`] and
+/// [`LoadError::Interrupted`], after which it is unborn.
 #[inline(never)]
 pub fn load<B: Snapshot, S: Source>(
     brain: &mut B,
@@ -149,25 +180,54 @@ pub fn load<B: Snapshot, S: Source>(
     source: &mut S,
 ) -> Result<u32, LoadError<S::Error>> {
     let there = source.length();
-    let length = pass::<B, S>(source, |from| {
-        walk::<B, S::Error>(names, there, from, B::check_section)
-    })?;
-    let taken = pass::<B, S>(source, |from| {
+    let length = check::<B, S>(names, source)?;
+    let taken = pass(source, B::limits(), |from| {
         walk::<B, S::Error>(names, there, from, |number, from| {
             brain.restore_section(number, from);
         })
     });
-    if taken.is_ok_and(|taken| taken == length) {
-        brain.rebuild();
-        return Ok(length);
+    match taken {
+        Ok(taken) if taken == length => {
+            brain.rebuild();
+            Ok(length)
+        }
+        Err(LoadError::Source(error)) => {
+            brain.forsake();
+            Err(LoadError::Interrupted(error))
+        }
+        _ => {
+            brain.forsake();
+            Err(LoadError::Changed)
+        }
     }
-    brain.forsake();
-    Err(LoadError::Changed)
+}
+
+/// Checks an image as [`load`] does, and takes nothing; answers the bytes of the image.
+///
+/// ```
+/// use cla_core::forager::small;
+/// use cla_core::snapshot::{LoadError, Names, check};
+/// let refused = check::<small::Brain, _>(Names::UNKNOWN, &mut &[7; 100][..]);
+/// assert_eq!(refused, Err(LoadError::NotAnImage));
+/// ```
+///
+/// # Errors
+/// [`LoadError`], without those of taking it.
+#[inline(never)]
+pub fn check<B: Snapshot, S: Source>(
+    names: Names,
+    source: &mut S,
+) -> Result<u32, LoadError<S::Error>> {
+    let there = source.length();
+    pass(source, B::limits(), |from| {
+        walk::<B, S::Error>(names, there, from, B::check_section)
+    })
 }
 
 /// Reads the source once.
-fn pass<B: Snapshot, S: Source>(
+pub(super) fn pass<S: Source>(
     source: &mut S,
+    limits: Limits,
     walk: impl FnOnce(&mut Reader<'_>) -> Result<u32, LoadError<S::Error>>,
 ) -> Result<u32, LoadError<S::Error>> {
     let mut error = None;
@@ -178,7 +238,7 @@ fn pass<B: Snapshot, S: Source>(
             false
         }
     };
-    let walked = walk(&mut Reader::of(&mut input, B::limits()));
+    let walked = walk(&mut Reader::of(&mut input, limits));
     match error {
         Some(error) => Err(LoadError::Source(error)),
         None => walked,
@@ -191,10 +251,20 @@ fn walk<B: Snapshot, E>(
     names: Names,
     there: u32,
     from: &mut Reader<'_>,
-    mut each: impl FnMut(usize, &mut Reader<'_>),
+    each: impl FnMut(usize, &mut Reader<'_>),
 ) -> Result<u32, LoadError<E>> {
     let length = header::read(&B::PROFILE, names, there, from)?;
-    for (number, name) in B::SECTIONS.iter().enumerate() {
+    sections(length, B::SECTIONS, from, each)
+}
+
+/// Goes through the sections behind a header; how long the image is.
+pub(super) fn sections<E>(
+    length: u32,
+    names: &[&'static str],
+    from: &mut Reader<'_>,
+    mut each: impl FnMut(usize, &mut Reader<'_>),
+) -> Result<u32, LoadError<E>> {
+    for (number, name) in names.iter().enumerate() {
         let damaged = LoadError::Damaged(name);
         from.allow(6);
         let found = u16::from_le_bytes(from.bytes());

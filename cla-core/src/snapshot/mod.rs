@@ -20,26 +20,38 @@
 //! Loading is all or nothing: the image is read once to be believed and a second time to be taken.
 //! Why it is not serde is told in `docs/decisions/snapshots.md`.
 
+mod audit;
+#[cfg(any(test, feature = "faults"))]
+pub mod faults;
 mod header;
 mod image;
+mod knowledge;
 mod limits;
+mod mender;
 mod port;
 mod reader;
 mod refusal;
+mod scrub;
+mod seal;
 mod section;
 mod stored;
 mod writer;
 
-pub use header::{Names, Profile};
-pub use image::{Snapshot, load, save};
+pub use audit::Audit;
+pub(crate) use audit::mend_sections;
+pub use header::{Names, Origin, Profile};
+pub use image::{Snapshot, check, load, save};
+pub use knowledge::{Knowing, load_knowledge, save_knowledge};
 pub use limits::Limits;
 pub(crate) use limits::{LARGEST, LARGEST_COUNT, LARGEST_VALUE};
+pub use mender::{Flip, Mender};
 pub use port::{Sink, SinkFull, SliceSink, Source, SourceEnd};
 pub use reader::Reader;
 pub use refusal::{LoadError, SaveError};
-pub(crate) use section::{check_fields, restore_fields, store_fields};
+pub use scrub::{Scrub, TooManyChunks};
+pub(crate) use section::{check_fields, flip_fields, mend_fields, restore_fields, store_fields};
 pub use stored::Stored;
-pub(crate) use stored::{Codes, check_field, check_that, stored, stored_as, stored_codes};
+pub(crate) use stored::{Codes, check_field, check_that, refuses, stored, stored_as, stored_codes};
 pub use writer::Writer;
 
 #[cfg(test)]

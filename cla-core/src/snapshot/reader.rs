@@ -23,6 +23,15 @@ pub struct Reader<'a> {
     pub(crate) limits: Limits,
     wrong: bool,
     failed: bool,
+    unfit: Option<Unfit>,
+}
+
+/// What there is more of than fits.
+#[derive(Clone, Copy)]
+pub(super) struct Unfit {
+    pub(super) name: &'static str,
+    pub(super) image: u32,
+    pub(super) here: u32,
 }
 
 impl<'a> Reader<'a> {
@@ -38,6 +47,7 @@ impl<'a> Reader<'a> {
             limits,
             wrong: false,
             failed: false,
+            unfit: None,
         }
     }
 
@@ -56,6 +66,26 @@ impl<'a> Reader<'a> {
         if !sound {
             self.refuse();
         }
+    }
+
+    /// Reads how many there are of something of which `most` fit; 0 where there are more.
+    pub(crate) fn count(&mut self, name: &'static str, most: usize) -> usize {
+        let many = u16::from_le_bytes(self.bytes());
+        if usize::from(many) <= most {
+            return usize::from(many);
+        }
+        self.refuse();
+        self.unfit = self.unfit.or(Some(Unfit {
+            name,
+            image: many.into(),
+            here: most as u32,
+        }));
+        0
+    }
+
+    /// What did not fit.
+    pub(super) const fn unfit(&self) -> Option<Unfit> {
+        self.unfit
     }
 
     /// Whether something was wrong so far: reading may stop.

@@ -24,7 +24,8 @@ pub enum SaveError<E> {
     Sink(E),
 }
 
-/// Why an image was not taken; the brain is as it was, but for [`Changed`](Self::Changed).
+/// Why an image was not taken; the brain is as it was, but for [`Changed`](Self::Changed) and
+/// [`Interrupted`](Self::Interrupted).
 ///
 /// ```
 /// use cla_core::snapshot::{LoadError, SourceEnd};
@@ -35,6 +36,8 @@ pub enum SaveError<E> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum LoadError<E> {
+    /// There is nobody who could take knowledge: the brain is not born.
+    NotBorn,
     /// It does not begin as an image does.
     NotAnImage,
     /// It is of another version of the format.
@@ -65,8 +68,10 @@ pub enum LoadError<E> {
     Truncated,
     /// The part of that name is damaged.
     Damaged(&'static str),
-    /// The source said so.
+    /// The source said so, before anything was taken.
     Source(E),
+    /// The source said so while the image was taken: the brain is unborn now.
+    Interrupted(E),
     /// It was whole when it was checked and was not when it was taken: the brain is unborn now.
     Changed,
 }
@@ -91,6 +96,7 @@ impl<E: fmt::Display> fmt::Display for SaveError<E> {
 impl<E: fmt::Display> fmt::Display for LoadError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::NotBorn => f.write_str("the brain is not born: nobody could take the knowledge"),
             Self::NotAnImage => f.write_str("this is no image of a brain"),
             Self::Version { image } => write!(
                 f,
@@ -115,6 +121,10 @@ impl<E: fmt::Display> fmt::Display for LoadError<E> {
             }
             Self::Source(error) => {
                 f.write_str("the image could not be read: ")?;
+                error.fmt(f)
+            }
+            Self::Interrupted(error) => {
+                f.write_str("the brain is unborn, as the image could not be read to its end: ")?;
                 error.fmt(f)
             }
             Self::Changed => f.write_str(

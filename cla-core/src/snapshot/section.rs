@@ -34,4 +34,17 @@ macro_rules! check_fields {
     };
 }
 
+macro_rules! mend_fields {
+    (($it:expr, $by:expr); $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
+        $($it.$($part).+.mend($by);)*
+    }};
+}
+
+macro_rules! flip_fields {
+    (($it:expr, $by:expr); $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
+        $($it.$($part).+.flip($by);)*
+    }};
+}
+
 pub(crate) use {check_fields, restore_fields, store_fields};
+pub(crate) use {flip_fields, mend_fields};

@@ -1,6 +1,8 @@
 //! What stands where in an image, and what is refused although its bytes came through.
 
-use super::{Limits, LoadError, Names, Profile, Reader, Snapshot, Stored, Writer, load, save};
+use super::{
+    Flip, Limits, LoadError, Mender, Names, Profile, Reader, Snapshot, Stored, Writer, load, save,
+};
 use super::{SaveError, SinkFull, SliceSink, SourceEnd};
 use crate::num::Schedule;
 use crate::word::{ActionId, ItemId, ItemSet, ItemStates};
@@ -56,6 +58,20 @@ impl Snapshot for Tiny {
         match number {
             0 => self.share.restore(from),
             _ => self.table.restore(from),
+        }
+    }
+
+    fn mend_section(&mut self, number: usize, by: &mut Mender) {
+        match number {
+            0 => self.share.mend(by),
+            _ => self.table.mend(by),
+        }
+    }
+
+    fn flip_section(&mut self, number: usize, by: &mut Flip) {
+        match number {
+            0 => self.share.flip(by),
+            _ => self.table.flip(by),
         }
     }
 
@@ -158,6 +174,8 @@ fn what_cannot_be_so_is_refused_under_a_right_checksum() {
     };
     assert_eq!(damaged(0, b"CLABRAIM"), Err(LoadError::NotAnImage));
     assert_eq!(damaged(8, &[2]), Err(LoadError::Version { image: 2 }));
+    assert_eq!(damaged(10, &[81]), Err(LoadError::Damaged("header")));
+    assert_eq!(damaged(72, &[79]), Err(LoadError::Damaged("header")));
     assert_eq!(damaged(12, &[7]), Err(LoadError::Numerics));
     assert_eq!(damaged(14, &[1]), Err(LoadError::Kind));
     assert_eq!(damaged(15, &[1]), Err(LoadError::Weights));

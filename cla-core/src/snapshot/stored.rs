@@ -1,7 +1,7 @@
 //! How a value is stored: one list of fields for writing, checking and reading.
 
 use super::limits::Limits;
-use super::{Reader, Writer};
+use super::{Flip, Mender, Reader, Writer};
 
 /// What an image keeps of a value, and in which order.
 ///
@@ -31,6 +31,25 @@ pub trait Stored: Sized {
 
     /// Notes how many of them a table holds, if others point at them.
     fn count(_limits: &mut Limits, _length: u16) {}
+
+    /// Makes it blank when it cannot be so in a sound brain; what is large does so piece by piece.
+    fn mend(&mut self, by: &mut Mender) {
+        if refuses(self, by) {
+            *self = Self::BLANK;
+            by.count();
+        }
+    }
+
+    /// Turns one bit of it, if that bit is in it.
+    fn flip(&mut self, by: &mut Flip);
+}
+
+/// Whether an image would refuse a value that is small enough for the stack.
+pub(crate) fn refuses<T: Stored>(it: &T, by: &mut Mender) -> bool {
+    let mut look = Writer::counting(by.limits);
+    it.store(&mut look);
+    by.limits = look.limits;
+    look.is_unsound()
 }
 
 /// Implements [`Stored`] for a struct by its fields.
@@ -78,6 +97,22 @@ macro_rules! stored {
                 )*
             }
 
+            fn mend(&mut self, by: &mut $crate::snapshot::Mender) {
+                $(
+                    $(by.limits.largest = $most;)?
+                    $crate::snapshot::Stored::mend(&mut self.$field, by);
+                    by.limits.largest = $crate::snapshot::LARGEST;
+                    $(
+                        if !$test(&self.$field) {
+                            self.$field = $crate::snapshot::Stored::BLANK;
+                            by.count();
+                        }
+                    )?
+                )*
+            }
+
+            $crate::snapshot::stored!(@flip ($($field),*) ($($($derived),*)?));
+
             $(fn count(limits: &mut $crate::snapshot::Limits, length: u16) {
                 limits.$counted = length;
             })?
@@ -111,9 +146,19 @@ macro_rules! stored {
                 from.require(sound);
             }
 
+            $crate::snapshot::stored!(@flip ($($field),*) ($($($derived),*)?));
+
             $(fn count(limits: &mut $crate::snapshot::Limits, length: u16) {
                 limits.$counted = length;
             })?
+        }
+    };
+    (@flip ($($field:ident),*) ($($derived:ident),*)) => {
+        fn flip(&mut self, by: &mut $crate::snapshot::Flip) {
+            $($crate::snapshot::Stored::flip(&mut self.$field, by);)*
+            if by.sees_derived() {
+                $($crate::snapshot::Stored::flip(&mut self.$derived, by);)*
+            }
         }
     };
     (@check $from:ident, $field:ident) => {
@@ -154,6 +199,10 @@ macro_rules! stored_as {
             fn restore(&mut self, from: &mut $crate::snapshot::Reader<'_>) {
                 $crate::snapshot::Stored::restore(&mut self.0, from);
                 $(from.require(self.0 < from.limits.$limit);)?
+            }
+
+            fn flip(&mut self, by: &mut $crate::snapshot::Flip) {
+                $crate::snapshot::Stored::flip(&mut self.0, by);
             }
         }
     };
@@ -205,6 +254,18 @@ macro_rules! stored_codes {
                     None => from.refuse(),
                 }
             }
+
+            fn mend(&mut self, _: &mut $crate::snapshot::Mender) {}
+
+            // A code that means nothing cannot be held.
+            fn flip(&mut self, by: &mut $crate::snapshot::Flip) {
+                if let Some(bit) = by.field(8) {
+                    let code = $crate::snapshot::Codes::code(*self) ^ 1_u8.wrapping_shl(bit);
+                    if let Some(value) = <Self as $crate::snapshot::Codes>::of(code) {
+                        *self = value;
+                    }
+                }
+            }
         }
     };
 }
@@ -223,11 +284,19 @@ macro_rules! stored_number {
             fn restore(&mut self, from: &mut Reader<'_>) {
                 *self = Self::from_le_bytes(from.bytes());
             }
+
+            fn mend(&mut self, _: &mut Mender) {}
+
+            fn flip(&mut self, by: &mut Flip) {
+                if let Some(bit) = by.field(Self::BITS) {
+                    *self ^= (1 as Self).wrapping_shl(bit);
+                }
+            }
         }
     )+ };
 }
 
-stored_number!(u8, i8, u16, u32);
+stored_number!(u8, i8, u16, u32, i32);
 
 impl Stored for f32 {
     const BLANK: Self = 0.0;
@@ -240,6 +309,19 @@ impl Stored for f32 {
     fn restore(&mut self, from: &mut Reader<'_>) {
         *self = Self::from_bits(u32::from_le_bytes(from.bytes()));
         from.require(self.abs() <= from.limits.largest);
+    }
+
+    fn mend(&mut self, by: &mut Mender) {
+        if !(-by.limits.largest..=by.limits.largest).contains(self) {
+            *self = 0.0;
+            by.count();
+        }
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        let mut bits = self.to_bits();
+        bits.flip(by);
+        *self = Self::from_bits(bits);
     }
 }
 
@@ -278,6 +360,28 @@ impl<T: Stored> Stored for Option<T> {
             _ => from.refuse(),
         }
     }
+
+    /// What cannot be so is not there.
+    fn mend(&mut self, by: &mut Mender) {
+        let before = by.mended();
+        if let Some(it) = self {
+            it.mend(by);
+        }
+        if by.mended() > before {
+            *self = None;
+        }
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        if by.field(8) == Some(0) {
+            *self = match self {
+                Some(_) => None,
+                None => Some(T::BLANK),
+            };
+        } else if let Some(it) = self {
+            it.flip(by);
+        }
+    }
 }
 
 /// Nothing takes no bytes.
@@ -287,6 +391,8 @@ impl Stored for () {
     fn store(&self, _: &mut Writer<'_>) {}
 
     fn restore(&mut self, _: &mut Reader<'_>) {}
+
+    fn flip(&mut self, _: &mut Flip) {}
 }
 
 impl<A: Stored, B: Stored> Stored for (A, B) {
@@ -300,6 +406,16 @@ impl<A: Stored, B: Stored> Stored for (A, B) {
     fn restore(&mut self, from: &mut Reader<'_>) {
         self.0.restore(from);
         self.1.restore(from);
+    }
+
+    fn mend(&mut self, by: &mut Mender) {
+        self.0.mend(by);
+        self.1.mend(by);
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        self.0.flip(by);
+        self.1.flip(by);
     }
 }
 
@@ -324,6 +440,18 @@ impl<T: Stored, const N: usize> Stored for [T; N] {
                 return;
             }
             T::check(from);
+        }
+    }
+
+    fn mend(&mut self, by: &mut Mender) {
+        for it in self {
+            it.mend(by);
+        }
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        for it in self {
+            it.flip(by);
         }
     }
 }
@@ -366,6 +494,29 @@ impl<T: Stored, const N: usize> Stored for heapless::Vec<T, N, u16> {
                 return;
             }
             T::check(from);
+        }
+    }
+
+    fn mend(&mut self, by: &mut Mender) {
+        T::count(&mut by.limits, self.len() as u16);
+        for it in self {
+            it.mend(by);
+        }
+    }
+
+    /// A length that is turned loses entries, or gets blank ones as far as there is room.
+    fn flip(&mut self, by: &mut Flip) {
+        if let Some(bit) = by.field(u16::BITS) {
+            let length = self.len() ^ 1_usize.wrapping_shl(bit);
+            self.truncate(length);
+            while length <= N && self.len() < length {
+                if self.push(T::BLANK).is_err() {
+                    break;
+                }
+            }
+        }
+        for it in self {
+            it.flip(by);
         }
     }
 }

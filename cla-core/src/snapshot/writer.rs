@@ -1,6 +1,7 @@
 //! The way out: fields become bytes, bytes become pieces with their checksums.
 
 use super::limits::Limits;
+use super::seal::Seal;
 use crc::{CRC_32_ISCSI, CRC_32_ISO_HDLC, Crc, Digest};
 
 /// Bytes of a piece; it lies on the stack.
@@ -49,6 +50,7 @@ pub(super) type Out<'a> = &'a mut dyn FnMut(&[u8]) -> bool;
 /// It is sticky: once something was refused, nothing more is written.
 pub struct Writer<'a> {
     out: Option<Out<'a>>,
+    seal: Option<Seal<'a>>,
     piece: [u8; PIECE],
     used: usize,
     sums: Sums,
@@ -69,9 +71,22 @@ impl<'a> Writer<'a> {
         Self::of(Some(out), limits)
     }
 
+    /// Adds all fields up, chunk by chunk.
+    pub(super) fn sealing(each: &'a mut dyn FnMut(u32), limits: Limits) -> Self {
+        let mut it = Self::of(None, limits);
+        it.seal = Some(Seal::of(each));
+        it
+    }
+
+    /// Ends the last chunk; answers how many fields there were.
+    pub(super) fn end_seal(&mut self) -> u32 {
+        self.seal.as_mut().map_or(0, Seal::end)
+    }
+
     fn of(out: Option<Out<'a>>, limits: Limits) -> Self {
         Self {
             out,
+            seal: None,
             piece: [0; PIECE],
             used: 0,
             sums: Sums::new(),
@@ -97,6 +112,9 @@ impl<'a> Writer<'a> {
     pub(crate) fn bytes(&mut self, bytes: &[u8]) {
         self.length = self.length.wrapping_add(bytes.len() as u32);
         if self.out.is_none() {
+            if let Some(seal) = &mut self.seal {
+                seal.add(bytes);
+            }
             return;
         }
         for &byte in bytes {

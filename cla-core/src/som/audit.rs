@@ -2,7 +2,6 @@
 
 use super::binary::{BinarySom, SMALLEST_SCALE};
 use super::grid::NodeId;
-use super::stimulus::SparseStimulus;
 
 /// What rounding may add to a weight, and to a norm as a share of it.
 const ROUNDING: f32 = 0.05;
@@ -25,12 +24,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
             norm += weight * weight;
         }
         if !sound {
-            let nothing = SparseStimulus {
-                on: &[],
-                minus: &[],
-                unknown: &[u32::MAX; 64],
-            };
-            self.imprint(&nothing, node);
+            self.know_nothing(node);
             return true;
         }
         match self.squared_norm.as_mut_slice().get_mut(index) {

@@ -46,7 +46,7 @@ pub struct BinarySom<const WIDTH: usize, const HEIGHT: usize, const FEATURES: us
     /// v, feature by feature; a weight is `scale · v`.
     columns: [Grid<f32, WIDTH, HEIGHT>; FEATURES],
     /// s of each node.
-    pub(super) scale: Grid<f32, WIDTH, HEIGHT>,
+    pub(crate) scale: Grid<f32, WIDTH, HEIGHT>,
     /// |m|² of each node.
     pub(super) squared_norm: Grid<f32, WIDTH, HEIGHT>,
 }
@@ -367,6 +367,20 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
             }
         }
         self.add(stimulus, index, 1.0);
+        self.recompute_norm(index);
+    }
+
+    /// Makes all weights of a node ½.
+    pub(super) fn know_nothing(&mut self, node: NodeId) {
+        let index = usize::from(node.0);
+        if let Some(scale) = self.scale.as_mut_slice().get_mut(index) {
+            *scale = 1.0;
+        }
+        for column in &mut self.columns {
+            if let Some(value) = column.as_mut_slice().get_mut(index) {
+                *value = 0.5;
+            }
+        }
         self.recompute_norm(index);
     }
 

@@ -10,7 +10,7 @@ use super::grid::{BestMatch, Grid, NodeId};
 use super::prototypes::Prototypes;
 use super::stimulus::SparseStimulus;
 use crate::num::{Neighbourhood, Ones, Rng};
-use crate::snapshot::{Reader, Stored, Writer};
+use crate::snapshot::{Flip, Mender, Reader, Stored, Writer};
 
 /// The integer that stands for a weight of 1.
 const ONE: i32 = 127;
@@ -238,6 +238,16 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize, N: Norms<WI
             }
             _ => false,
         }
+    }
+
+    fn rebuild(&mut self) {
+        self.derive();
+    }
+
+    fn audit_whole(&mut self) -> bool {
+        let stands = self.noise == 0;
+        self.noise |= u32::from(stands);
+        stands
     }
 
     fn imprint(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId) {
@@ -517,6 +527,23 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize, N: Norms<WI
         let mut noise = 0_u32;
         noise.restore(from);
         from.require(noise != 0);
+    }
+
+    fn mend(&mut self, by: &mut Mender) {
+        if self.audit_whole() {
+            by.count();
+        }
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        self.columns.flip(by);
+        self.noise.flip(by);
+        if by.sees_derived() {
+            self.signed.flip(by);
+            if let Some(norms) = self.norms.kept_mut() {
+                norms.flip(by);
+            }
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 //! split into sums of 16 bits: 127 + 127 still fits a byte, and no node carries into its neighbour.
 
 use super::grid::Grid;
-use crate::snapshot::{Reader, Stored, Writer};
+use crate::snapshot::{Flip, Mender, Reader, Stored, Writer};
 
 /// Nodes whose weights lie in one word.
 pub(super) const LANES: usize = 4;
@@ -132,6 +132,14 @@ impl<const WIDTH: usize, const HEIGHT: usize> Stored for Column<WIDTH, HEIGHT> {
 
     fn check(from: &mut Reader<'_>) {
         Grid::<i8, WIDTH, HEIGHT>::check(from);
+    }
+
+    fn mend(&mut self, by: &mut Mender) {
+        self.0.mend(by);
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        self.0.flip(by);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::snapshot::{Reader, Stored, Writer};
+use crate::snapshot::{Flip, Mender, Reader, Stored, Writer};
 
 /// The index of a node: row · width + column.
 ///
@@ -132,6 +132,14 @@ impl<T: Stored + Copy, const WIDTH: usize, const HEIGHT: usize> Stored for Grid<
 
     fn check(from: &mut Reader<'_>) {
         <[[T; WIDTH]; HEIGHT]>::check(from);
+    }
+
+    fn mend(&mut self, by: &mut Mender) {
+        self.0.mend(by);
+    }
+
+    fn flip(&mut self, by: &mut Flip) {
+        self.0.flip(by);
     }
 }
 

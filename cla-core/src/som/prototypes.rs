@@ -88,6 +88,14 @@ pub trait Prototypes<const WIDTH: usize, const HEIGHT: usize> {
         false
     }
 
+    /// Makes what follows from the weights anew.
+    fn rebuild(&mut self) {}
+
+    /// Mends what is of the whole map, not of one node; whether anything was wrong.
+    fn audit_whole(&mut self) -> bool {
+        false
+    }
+
     /// Makes a node's prototype the stimulus itself; unknown features become ½.
     fn imprint(&mut self, stimulus: &SparseStimulus<'_>, node: NodeId);
 }

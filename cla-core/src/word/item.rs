@@ -7,7 +7,7 @@
 use core::fmt;
 
 use crate::num::Ones;
-use crate::snapshot::{stored, stored_as};
+use crate::snapshot::{Reader, stored, stored_as};
 
 /// The index of an item: primitive items first, synthetic items after them.
 ///
@@ -176,6 +176,22 @@ impl<const WORDS: usize> ItemSet<WORDS> {
         &self.0
     }
 
+    /// Reads a set that was stored with so many words; none of its items may be beyond this one's.
+    pub(crate) fn take(words: usize, from: &mut Reader<'_>) -> Self {
+        let mut it = Self::EMPTY;
+        for at in 0..words {
+            let word = u32::from_le_bytes(from.bytes());
+            match it.0.get_mut(at) {
+                Some(place) => *place = word,
+                None => from.require(word == 0),
+            }
+            if from.is_wrong() {
+                break;
+            }
+        }
+        it
+    }
+
     fn combine(&self, other: &Self, with: impl Fn(u32, u32) -> u32) -> Self {
         let mut out = *self;
         for (word, &theirs) in out.0.iter_mut().zip(&other.0) {
@@ -235,6 +251,16 @@ impl<const WORDS: usize> ItemStates<WORDS> {
         on: ItemSet::EMPTY,
         off: ItemSet::EMPTY,
     };
+
+    /// Reads states that were stored with so many words an item set.
+    pub(crate) fn take(words: usize, from: &mut Reader<'_>) -> Self {
+        let it = Self {
+            on: ItemSet::take(words, from),
+            off: ItemSet::take(words, from),
+        };
+        from.require(it.on.is_disjoint(&it.off));
+        it
+    }
 
     /// The items `0..count` are off, all others unknown.
     #[must_use]

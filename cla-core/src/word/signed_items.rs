@@ -1,7 +1,7 @@
 //! Conjunctions of signed items: the contexts and results of schemas, `+s3-bump` (book, 5.1.1).
 
 use super::item::{ItemId, ItemSet, ItemStates};
-use crate::snapshot::stored;
+use crate::snapshot::{Reader, stored};
 
 /// Items that must be on and items that must be off.
 ///
@@ -41,6 +41,16 @@ impl<const WORDS: usize> SignedItems<WORDS> {
             positive: *state.on(),
             negative: *state.off(),
         }
+    }
+
+    /// Reads a conjunction that was stored with so many words an item set.
+    pub(crate) fn take(words: usize, from: &mut Reader<'_>) -> Self {
+        let it = Self {
+            positive: ItemSet::take(words, from),
+            negative: ItemSet::take(words, from),
+        };
+        from.require(it.positive.is_disjoint(&it.negative));
+        it
     }
 
     /// Adds an item with its sign (`true` for `+`), in place of an opposite one.

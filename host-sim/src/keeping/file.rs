@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use cla_core::snapshot::{Names, Snapshot};
+use cla_core::snapshot::{LoadError, Names, Snapshot, SourceEnd, check};
 
 use crate::failure::Failure;
 use crate::learner::image::{image_of, take};
@@ -22,15 +22,17 @@ pub fn keep<B: Snapshot>(brain: &B, names: Names, path: &Path) -> Result<u32, Fa
     Ok(image.len() as u32)
 }
 
-/// Reads a brain from a file.
+/// Reads a brain from a file, which holds its image and nothing else.
 ///
 /// # Errors
-/// When there is no such file, or it is no whole image of such a brain; the brain is as it was. Where
-/// bytes stand behind the image it was taken all the same.
+/// When there is no such file, or it is no whole image of such a brain; the brain is as it was.
 pub fn recall<B: Snapshot>(brain: &mut B, names: Names, path: &Path) -> Result<u32, Failure> {
     let image = read(path)?;
-    let length = take(brain, names, &image).map_err(|it| format!("{}: {it}", path.display()))?;
-    whole(length, &image, path)
+    let refused = |it: LoadError<SourceEnd>| format!("{}: {it}", path.display());
+    // What is taken cannot be given back: it is looked at first.
+    let length = check::<B, _>(names, &mut &*image).map_err(refused)?;
+    whole(length, &image, path)?;
+    Ok(take(brain, names, &image).map_err(|it| format!("{}: {it}", path.display()))?)
 }
 
 /// Refuses bytes behind an image of this length: a file is not a slot of flash.
