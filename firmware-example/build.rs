@@ -35,6 +35,7 @@ fn main() {
         "controller",
         "mind",
         "snapshot",
+        "survivor",
     ] {
         println!("cargo::rustc-link-arg-bin={program}=-Tlink.x");
         if env::var_os("CARGO_FEATURE_DEFMT").is_some() {

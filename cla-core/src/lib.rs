@@ -37,6 +37,8 @@ pub mod agent;
 pub mod brain;
 pub mod check;
 pub mod choice;
+#[cfg(feature = "flash")]
+pub mod flash;
 pub mod forager;
 pub mod forest;
 pub mod growth;

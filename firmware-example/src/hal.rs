@@ -1,4 +1,4 @@
-//! The robot itself: **put your part's serial port, motors and reset here**; the README says what of
+//! The robot itself: **put your part's serial port, motors, flash and reset here**; the README says what of
 //! the emulator then goes.
 //!
 //! What stands here serves the emulated board: its serial port is the emulator's standard input and
@@ -7,6 +7,7 @@
 use semihosting::io::{Read, Stdin, Stdout, Write, stdin, stdout};
 use semihosting::{eprintln, process};
 
+use crate::board::FileFlash;
 use crate::controller::{End, Heard, SafeStop, Wire};
 
 /// The serial port.
@@ -51,6 +52,27 @@ impl SafeStop for Motors {
     fn stop(&mut self) {
         eprintln!("motors stopped");
     }
+}
+
+/// The flash that a brain is kept in.
+///
+/// On a robot: the part's own, behind the program, or a chip beside it, as its HAL crate has it; any
+/// type that is a `NorFlash`.
+pub type Flash = FileFlash;
+
+/// Opens the flash, with so many bytes; `None` when there is none.
+#[must_use]
+pub fn flash(bytes: usize) -> Option<Flash> {
+    FileFlash::open(bytes)
+}
+
+/// Whether the supply is about to fail, so that a save cannot wait.
+///
+/// On a robot: what the part's brown-out detector warns of, if it warns, and only where what is stored
+/// in the supply lasts for a save (`FlashStore::cost`). The emulated board's supply never warns.
+#[must_use]
+pub fn power_is_failing() -> bool {
+    false
 }
 
 /// What happens when nobody gives orders any more; the motors stand.

@@ -10,6 +10,7 @@ pub mod controller;
 pub mod fingerprint;
 #[cfg(target_os = "none")]
 pub mod hal;
+pub mod keeper;
 pub mod link;
 pub mod meter;
 pub mod mind;

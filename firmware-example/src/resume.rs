@@ -21,6 +21,12 @@ pub const TO_BOARD: &str = "to-board.brain";
 /// See [`TO_BOARD`].
 pub const FROM_BOARD: &str = "from-board.brain";
 
+/// Slots for generations of the brain in flash, and the bytes of each: whole pages, and room for the
+/// largest image.
+pub const SLOTS: usize = 3;
+/// See [`SLOTS`].
+pub const SLOT: u32 = if cfg!(feature = "small") { 96 } else { 256 } * 1024;
+
 /// What the items and actions of the brain are called, for its image.
 #[must_use]
 pub fn names() -> Names {

@@ -1,4 +1,4 @@
-//! The core has no panic path, proved by linking: `firmware-example/src/bin/panic_free.rs` links
+//! The core has no panic path, proved by linking: `firmware-example/src/bin/panic_free` links
 //! only when no code of the core can reach its panic handler.
 //!
 //! Needs the target thumbv7em-none-eabihf; `tests/run` gets it.
@@ -7,7 +7,7 @@ use cla_tests::{root, sources};
 use host_sim::device::board::Build;
 use host_sim::device::target::Target;
 
-const PROOF: &str = "firmware-example/src/bin/panic_free.rs";
+const PROOF: &str = "firmware-example/src/bin/panic_free/main.rs";
 
 /// Links one entry (or all) at an optimization level; the linker's complaint when it does not.
 fn link(opt_level: &'static str, entry: &str) -> Result<(), String> {

@@ -1,5 +1,7 @@
 //! A whole image: header, sections, checksum; written in one pass, read in two.
 
+use core::convert::Infallible;
+
 use super::header::{self, HEADER, Names, Profile};
 use super::limits::Limits;
 use super::port::{Sink, Source};
@@ -61,6 +63,29 @@ pub trait Snapshot {
     fn forsake(&mut self);
 }
 
+/// The bytes that the image of a brain would have now; nothing is written.
+///
+/// ```
+/// use cla_core::forager::small;
+/// use cla_core::{AgentConfig, snapshot};
+/// let mut brain = Box::new(small::brain());
+/// small::be_born(&mut brain, AgentConfig::FORAGER, 1)?;
+/// let mut saved = 0_u32;
+/// snapshot::save(&*brain, small::VOCABULARY.names(), &mut saved)?;
+/// assert_eq!(snapshot::length(&*brain), Ok(saved));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`save`], but for those of a sink.
+pub fn length<B: Snapshot>(brain: &B) -> Result<u32, SaveError<Infallible>> {
+    if !brain.is_born() {
+        return Err(SaveError::NotBorn);
+    }
+    let length = whole::<B>(Names::UNKNOWN).length(brain);
+    length.map_err(SaveError::Unsound)
+}
+
 /// Saves a brain: `names` say what its items and actions mean.
 ///
 /// The brain is gone through three times: to be checked and measured, as a whole and by sections, and
@@ -90,17 +115,21 @@ pub fn save<B: Snapshot, S: Sink>(
     names: Names,
     sink: &mut S,
 ) -> Result<u32, SaveError<S::Error>> {
-    let parts = Parts {
+    if !brain.is_born() {
+        return Err(SaveError::NotBorn);
+    }
+    whole::<B>(names).save(brain, sink)
+}
+
+/// The parts of an image of a whole brain.
+fn whole<B: Snapshot>(names: Names) -> Parts<B> {
+    Parts {
         profile: B::PROFILE,
         names,
         sections: B::SECTIONS,
         limits: B::limits(),
         store: B::store_section,
-    };
-    if !brain.is_born() {
-        return Err(SaveError::NotBorn);
     }
-    parts.save(brain, sink)
 }
 
 /// What an image is made of.
@@ -118,17 +147,7 @@ impl<B> Parts<B> {
         brain: &B,
         sink: &mut S,
     ) -> Result<u32, SaveError<S::Error>> {
-        let mut length = u32::from(HEADER) + 4;
-        let mut measured = Writer::counting(self.limits);
-        for (number, name) in self.sections.iter().enumerate() {
-            (self.store)(brain, number, &mut measured);
-            measured.limits.begin_section();
-            if measured.is_unsound() {
-                return Err(SaveError::Unsound(name));
-            }
-            length = length.wrapping_add(FRAME);
-        }
-        length = length.wrapping_add(measured.length());
+        let length = self.length(brain).map_err(SaveError::Unsound)?;
         let mut error = None;
         let mut out = |piece: &[u8]| match sink.write(piece) {
             Ok(()) => true,
@@ -142,6 +161,22 @@ impl<B> Parts<B> {
             None => Ok(length),
             Some(error) => Err(SaveError::Sink(error)),
         }
+    }
+
+    /// The bytes of the image, or the part of the brain that is damaged.
+    #[inline(never)]
+    fn length(&self, brain: &B) -> Result<u32, &'static str> {
+        let mut length = u32::from(HEADER) + 4;
+        let mut measured = Writer::counting(self.limits);
+        for (number, &name) in self.sections.iter().enumerate() {
+            (self.store)(brain, number, &mut measured);
+            measured.limits.begin_section();
+            if measured.is_unsound() {
+                return Err(name);
+            }
+            length = length.wrapping_add(FRAME);
+        }
+        Ok(length.wrapping_add(measured.length()))
     }
 
     #[inline(never)]

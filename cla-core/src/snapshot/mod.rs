@@ -40,7 +40,7 @@ mod writer;
 pub use audit::Audit;
 pub(crate) use audit::mend_sections;
 pub use header::{Names, Origin, Profile};
-pub use image::{Snapshot, check, load, save};
+pub use image::{Snapshot, check, length, load, save};
 pub use knowledge::{Knowing, load_knowledge, save_knowledge};
 pub use limits::Limits;
 pub(crate) use limits::{LARGEST, LARGEST_COUNT, LARGEST_VALUE};

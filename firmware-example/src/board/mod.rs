@@ -6,11 +6,13 @@
 
 #![allow(unsafe_code)]
 
+mod file_flash;
 #[cfg(target_arch = "arm")]
 mod mps2;
 #[cfg(target_arch = "riscv32")]
 mod riscv_virt;
 
+pub use file_flash::FileFlash;
 #[cfg(target_arch = "arm")]
 use mps2::Clock;
 #[cfg(target_arch = "riscv32")]

@@ -7,14 +7,20 @@
 //! `ENTRY` all of them at once; the test `panic_free` in `../../tests` builds it at opt-level 3 and s.
 //! It is never run, and what it links is also what the budget counts as the core's code.
 
+#[macro_use]
+mod proof;
+
 use core::fmt::Write;
 use core::hint::black_box;
-use core::panic::PanicInfo;
 
 use cla_core::adaptation::*;
 use cla_core::agent::*;
 use cla_core::check::{Config, ConfigError};
 use cla_core::choice::*;
+use cla_core::flash::{
+    Fault, FlashCounts, FlashStore, FlashTiming, LayoutError, RamFlash, ResumeError, SaveCost,
+    Saved, StoreError,
+};
 use cla_core::forager::pioneer::{
     Action, Brain, Item, Percept, VOCABULARY, be_born, goal, percept,
 };
@@ -33,63 +39,7 @@ use cla_core::reason::{Prospects, Pursuit, Reason as Faculty, Way};
 use cla_core::snapshot::{self, LoadError, Names, SaveError, SinkFull, SliceSink, SourceEnd};
 use cla_core::som::*;
 use cla_core::word::*;
-
-// Never linked, so never called.
-#[allow(unsafe_code)]
-unsafe extern "C" {
-    safe fn a_panic_path_is_left() -> !;
-}
-
-#[panic_handler]
-fn panic(_: &PanicInfo<'_>) -> ! {
-    a_panic_path_is_left()
-}
-
-/// Each entry is a function of values that the compiler does not know, and `_start` takes its
-/// address, so that it is linked whole; `sets` name several entries at once.
-macro_rules! entries {
-    (
-        sets { $($set:literal = [$($member:literal),+ $(,)?]),+ $(,)? }
-        $($name:literal ($($argument:ident: $of:ty),* $(,)?) $(-> $out:ty)? $body:block)+
-    ) => {
-        const WANTED: &str = match option_env!("ENTRY") {
-            Some(name) => name,
-            None => "all",
-        };
-
-        const fn same(a: &str, b: &str) -> bool {
-            let (mut a, mut b) = (a.as_bytes(), b.as_bytes());
-            while let ([first, rest @ ..], [other, others @ ..]) = (a, b) {
-                if *first != *other {
-                    return false;
-                }
-                (a, b) = (rest, others);
-            }
-            a.is_empty() && b.is_empty()
-        }
-
-        const fn wanted(name: &str) -> bool {
-            // "control" panics on purpose.
-            (same(WANTED, "all") && !same(name, "control"))
-                || same(WANTED, name)
-                $(|| same(WANTED, $set) && (false $(|| same(name, $member))+))+
-        }
-
-        const KNOWN: bool = same(WANTED, "all")
-            $(|| same(WANTED, $set))+ $(|| same(WANTED, $name))+;
-
-        #[unsafe(no_mangle)]
-        #[allow(unsafe_code)]
-        extern "C" fn _start() {
-            const { assert!(KNOWN, "ENTRY names no entry") };
-            $(if const { wanted($name) } {
-                #[inline(never)]
-                fn entry($($argument: $of),*) $(-> $out)? $body
-                black_box(entry as fn($($of),*) $(-> $out)?);
-            })+
-        }
-    };
-}
+use embedded_storage::nor_flash::NorFlashErrorKind;
 
 type Agent6 = Brain;
 type Binary = BinarySom<20, 20, 7>;
@@ -110,6 +60,9 @@ type Hierarchy = Stack<Join<Layer<4, 4, 3>, Delayed<Input<2>, 2, 3>>, 3, 3, 18>;
 type Sliding = Window<Layer<3, 3, 2>, 9, 3>;
 type Loop = Recurrent<Stack<Join<Input<2>, Input<16>>, 4, 4, 18>, 16, 1>;
 
+type Memory<'a> = RamFlash<'a, 4, 4096>;
+type Store<'a> = FlashStore<Memory<'a>, 2>;
+
 /// Where displayed text goes.
 struct Nowhere(u32);
 
@@ -125,6 +78,11 @@ entries! {
         // What a robot needs that only acts, and what one needs that learns.
         "acting" = ["choose", "knowledge_record", "improve_values"],
         "training" = ["be_born", "reconfigure", "choose", "learn", "observe", "act"],
+        // The same with its life in flash.
+        "keeping" = [
+            "be_born", "reconfigure", "choose", "learn", "observe", "act", "flash_open", "flash_save",
+            "flash_resume",
+        ],
     }
     "control" (slice: &[u8], index: usize) -> u8 { slice[index] }
 
@@ -274,6 +232,28 @@ entries! {
     }
     "load" (it: &mut Agent6, mind: &mut Forest, from: &mut &[u8]) -> Option<u32> {
         snapshot::load(mind, Names::UNKNOWN, from).ok().or(snapshot::load(it, Names::UNKNOWN, from).ok())
+    }
+    "length" (brain: &Agent6) -> Option<u32> { snapshot::length(brain).ok() }
+    "flash_open" (memory: &mut [u8], start: u32, bytes: u32) -> Result<FlashCounts, LayoutError> {
+        let store = Store::open(Memory::new(memory), start, bytes)?;
+        let counts = store.counts();
+        core::mem::drop(store.release());
+        Ok(counts)
+    }
+    "flash_save" (it: &mut Store<'_>, brain: &Agent6, tick: u32) -> Result<Saved, StoreError<NorFlashErrorKind>> {
+        it.save(brain, VOCABULARY.names(), tick)
+    }
+    "flash_resume" (it: &mut Store<'_>, brain: &mut Agent6) -> Result<u32, ResumeError> {
+        let tick = it.resume(brain, VOCABULARY.names())?.tick;
+        Ok(tick + it.generation().unwrap_or(it.wear(1)))
+    }
+    "flash_erase_ahead" (it: &mut Store<'_>) -> Result<u32, Fault<NorFlashErrorKind>> { it.erase_ahead() }
+    "flash_cost" (it: &Store<'_>, image: u32, timing: &FlashTiming) -> (SaveCost, u64) {
+        let cost = it.cost(image.min(it.capacity()));
+        (cost, cost.microseconds(timing))
+    }
+    "flash_errors" (a: &StoreError<u8>, b: &ResumeError, c: &LayoutError, to: &mut Nowhere) {
+        let _ = write!(to, "{a} {b} {c}");
     }
     "audit" (brain: &mut Agent6, to: &mut Nowhere) { let _ = write!(to, "{}", brain.audit()); }
     "load_bytes" (it: &mut small::Brain, from: &mut &[u8]) -> Result<u32, LoadError<SourceEnd>> { snapshot::load(it, Names::of(&["a"], &["b"]), from) }

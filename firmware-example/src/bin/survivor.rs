@@ -1,0 +1,65 @@
+#![no_std]
+#![no_main]
+//! A robot that keeps its brain in flash: it resumes the life that it finds there, lives on along the
+//! recording and saves by a policy, until somebody takes its power.
+//!
+//! `cargo run --release --features small --bin survivor`, as often as you like; the flash is the file
+//! `flash.bin`. The test `kills` in `../../tests` kills it hundreds of times.
+
+use cla_core::flash::FlashStore;
+use firmware_example::hal;
+use firmware_example::keeper::{End, Event, Keeper, Policy, live};
+use firmware_example::profile::{self, Brain};
+use firmware_example::resume::{SLOT, SLOTS};
+use semihosting::{println, process};
+
+static mut BRAIN: Brain = profile::brain();
+
+/// Lives for ever.
+fn survive() -> Result<(), &'static str> {
+    let brain = &raw mut BRAIN;
+    // SAFETY: this runs once, and no interrupt touches the brain.
+    #[allow(unsafe_code)]
+    let brain = unsafe { &mut *brain };
+    let flash = hal::flash(SLOTS * SLOT as usize).ok_or("there is no flash")?;
+    let store = FlashStore::<_, SLOTS>::open(flash, 0, SLOT);
+    let mut store = store.map_err(|_| "the slots do not fit the flash")?;
+    println!("opened {:?}", store.counts());
+    let mut keeper = Keeper::new(Policy::EMULATED);
+    let lived = live(
+        brain,
+        &mut store,
+        &mut keeper,
+        u32::MAX,
+        hal::power_is_failing,
+        |event| match event {
+            Event::Resumed(it) => println!(
+                "resumed generation {} tick {} slot {} bytes {}",
+                it.generation, it.tick, it.slot, it.image
+            ),
+            Event::Born(why) => println!("born: {why}"),
+            Event::Saving(cause, tick) => println!("saving tick {tick} cause {cause:?}"),
+            Event::Saved(it) => println!(
+                "saved generation {} tick {} slot {} bytes {} erased {} written {}",
+                it.generation, it.tick, it.slot, it.image, it.cost.erased, it.cost.written
+            ),
+            Event::Refused(why) => println!("refused: {why}"),
+        },
+    );
+    lived.map_err(|end| match end {
+        End::Config(_) => "the brain could not be born",
+        End::Agent(_) => "the brain refused to live",
+    })
+}
+
+#[cfg_attr(target_arch = "arm", cortex_m_rt::entry)]
+#[cfg_attr(target_arch = "riscv32", riscv_rt::entry)]
+fn main() -> ! {
+    match survive() {
+        Ok(()) => process::exit(0),
+        Err(why) => {
+            println!("{why}");
+            process::exit(1);
+        }
+    }
+}
