@@ -5,6 +5,7 @@
 //! To enter a new learner into an experiment is to write one struct.
 
 pub mod controller;
+pub mod digest;
 pub mod folded;
 pub mod forager;
 pub mod image;
