@@ -7,6 +7,7 @@ pub mod experiment;
 pub mod failure;
 pub mod keeping;
 pub mod learner;
+pub mod logs;
 pub mod options;
 pub mod progress;
 pub mod report;

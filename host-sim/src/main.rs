@@ -7,6 +7,7 @@ use clap::Parser;
 use host_sim::cli::{Cli, Command, Errand};
 use host_sim::failure::Failure;
 use host_sim::keeping;
+use host_sim::logs;
 use host_sim::options::{self, Order};
 use host_sim::progress::Progress;
 use host_sim::report::{Circumstances, Journal};
@@ -43,6 +44,10 @@ fn do_errand(errand: &Errand) -> ExitCode {
             after,
             most,
         } => keeping::diff(before, after, *most),
+        Errand::Replay { file, page } => {
+            let beside = file.with_extension("html");
+            logs::replayed(file, page.as_deref().unwrap_or(&beside))
+        }
         Errand::Export { file, out, .. } => keeping::export(file, out.as_deref()),
         Errand::Train { .. } => match options::training(errand) {
             Ok(Some(training)) => keeping::train(&training),

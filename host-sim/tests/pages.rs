@@ -11,6 +11,7 @@ use host_sim::experiment::plan::run;
 use host_sim::experiment::recover::life::Protocol;
 use host_sim::experiment::recover::{Recover, RecoverOptions};
 use host_sim::keeping::{Raised, Training, inspect, train};
+use host_sim::logs::replayed;
 use host_sim::progress::Progress;
 use host_sim::report::escaped;
 use host_sim::world::config::PioneerConfig;
@@ -206,6 +207,7 @@ fn the_pages_of_brains_fit_a_telephone_and_a_desk_and_their_tables_sort() {
             act: None,
             load: None,
             save: Some(file.clone()),
+            log: vec![folder.join(format!("{name}.mcap"))],
         })
         .expect("it can be trained");
         inspect(&file, 5, Some(&page)).expect("it can be looked into");
@@ -224,6 +226,14 @@ fn the_pages_of_brains_fit_a_telephone_and_a_desk_and_their_tables_sort() {
                 .contains("http")
         );
         fits_with_or_without_images(name, &look(browser, name, &page));
+        let page = folder.join("replay.html");
+        replayed(&folder.join(format!("{name}.mcap")), &page).expect("it can be replayed");
+        let page = fs::read_to_string(&page).expect("there is a page");
+        let found = look(browser, "replay", &page);
+        for found in &found {
+            assert_eq!(found["scroll"], found["width"], "{found}");
+            assert_eq!(found["wide"], serde_json::json!([]), "{found}");
+        }
     }
     fs::remove_dir_all(&folder).expect("the folder can be removed");
 }

@@ -135,7 +135,7 @@ fn each_storey_of_the_core_imports_only_storeys_below() {
 }
 
 /// The storeys of the simulator, each with those that it may stand on.
-const SIMULATOR: [(&str, &[&str]); 14] = [
+const SIMULATOR: [(&str, &[&str]); 15] = [
     ("failure", &[]),
     ("settings", &["failure"]),
     ("whole", &["failure"]),
@@ -152,8 +152,20 @@ const SIMULATOR: [(&str, &[&str]); 14] = [
         ],
     ),
     (
+        "logs",
+        &["experiment", "failure", "report", "whole", "world"],
+    ),
+    (
         "keeping",
-        &["failure", "learner", "report", "whole", "world"],
+        &[
+            "experiment",
+            "failure",
+            "learner",
+            "logs",
+            "report",
+            "whole",
+            "world",
+        ],
     ),
     ("cli", &[]),
     (
@@ -164,6 +176,7 @@ const SIMULATOR: [(&str, &[&str]); 14] = [
             "experiment",
             "failure",
             "keeping",
+            "logs",
             "progress",
             "report",
             "settings",
@@ -172,7 +185,9 @@ const SIMULATOR: [(&str, &[&str]); 14] = [
     ),
     (
         "main",
-        &["cli", "failure", "keeping", "options", "progress", "report"],
+        &[
+            "cli", "failure", "keeping", "logs", "options", "progress", "report",
+        ],
     ),
 ];
 

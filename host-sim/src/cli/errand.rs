@@ -33,6 +33,10 @@ pub enum Errand {
         /// Keep the brain in this file, in place of what it held.
         #[arg(long, value_name = "FILE")]
         save: Option<PathBuf>,
+        /// Log every action: FILE.mcap for robotics tools, FILE.jsonl with an action a line, FILE.csv
+        /// with what each thousand brought. May be given several times.
+        #[arg(long, value_name = "FILE")]
+        log: Vec<PathBuf>,
     },
     /// Show what a kept brain knows: health, items, schemas by value and reliability, habits, beliefs.
     Inspect {
@@ -54,6 +58,14 @@ pub enum Errand {
         /// Rows of each list.
         #[arg(long, value_name = "N", default_value_t = 20)]
         most: usize,
+    },
+    /// Make the page that replays a log.
+    Replay {
+        /// The log, .mcap or .jsonl; see train --log.
+        file: PathBuf,
+        /// Where the page goes [default: the log's name with .html].
+        #[arg(long, value_name = "FILE.html")]
+        page: Option<PathBuf>,
     },
     /// Print what a kept brain knows, for programs.
     Export {

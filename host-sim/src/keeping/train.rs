@@ -7,12 +7,15 @@ use cla_core::forager::pioneer::VOCABULARY;
 use cla_core::forest::MindConfig;
 
 use super::file::{read, whole};
+use crate::experiment::recover::film::Crew;
 use crate::failure::Failure;
 use crate::learner::forager::Forager;
 use crate::learner::mind::Minded;
-use crate::learner::{Learner, live};
+use crate::learner::{Learner, watched};
+use crate::logs::{Life, steps, write_log};
 use crate::whole::write;
-use crate::world::pioneer::{INGRIP, ITEMS};
+use crate::world::World;
+use crate::world::pioneer::{INGRIP, ITEMS, Pioneer};
 use crate::world::setting::WorldOptions;
 
 /// Who is born, unless the brain comes from a file.
@@ -41,6 +44,8 @@ pub struct Training {
     pub load: Option<PathBuf>,
     /// Where the brain is kept afterwards.
     pub save: Option<PathBuf>,
+    /// Where its actions are logged.
+    pub log: Vec<PathBuf>,
 }
 
 /// What a specimen is worth to a mind, as in the forager's `brain!`.
@@ -128,8 +133,33 @@ pub fn train(order: &Training) -> Result<String, Failure> {
         pupil.learner().act()?;
     }
     let mut world = order.world.build(order.seed)?;
-    let lived = live(pupil.learner(), &mut world, order.actions)?;
+    let mut crew = Crew::default();
+    let mut watch = |learner: &dyn Learner, world: &Pioneer| {
+        if !order.log.is_empty() {
+            crew.shoot(learner, world, &world.sense(), world.obtained());
+        }
+    };
+    let lived = watched(pupil.learner(), &mut world, order.actions, &mut watch)?;
     lines.push(pupil.said(order.actions, lived.total()));
+    if !order.log.is_empty() {
+        let config = &order.world.config;
+        let who = match (&order.load, order.brain) {
+            (Some(path), _) => format!("the brain of {}", path.display()),
+            (None, Raised::Agent(_)) => "a newborn agent".to_owned(),
+            (None, Raised::Mind) => "a newborn mind".to_owned(),
+        };
+        let about = format!("Seed {}: {who} in the Pioneer's room", order.seed);
+        let life = Life::of(&crew.film, &about, config.radius, config.camera_range);
+        let steps = steps(&crew.film);
+        for path in &order.log {
+            write_log(path, &life, &steps)?;
+            lines.push(format!(
+                "logged {} actions in {}",
+                steps.len(),
+                path.display()
+            ));
+        }
+    }
     if let Some(path) = &order.save {
         let image = pupil.learner().image(names)?.ok_or("it has no image")?;
         write(path, &image)?;

@@ -6,6 +6,7 @@ use super::shared::world;
 use crate::cli::Errand;
 use crate::failure::Impossible;
 use crate::keeping::{Raised, Training};
+use crate::logs::check_name;
 use crate::world::setting::MOST_ACTIONS;
 
 /// The training of one brain that the arguments ask for.
@@ -21,6 +22,7 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
         act,
         load,
         save,
+        log,
     } = errand
     else {
         return Ok(None);
@@ -28,6 +30,9 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
     if *actions > MOST_ACTIONS {
         let sentence = format!("--actions must be at most {MOST_ACTIONS}, not {actions}");
         return Err(Impossible::new(sentence));
+    }
+    for path in log {
+        check_name(path)?;
     }
     let no = |option: &str, names: &str, it: &str| {
         Impossible::new(format!("{option} is {names}, not {it:?}"))
@@ -57,5 +62,6 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
         },
         load: load.clone(),
         save: save.clone(),
+        log: log.clone(),
     }))
 }

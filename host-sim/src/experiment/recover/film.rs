@@ -11,11 +11,11 @@ use super::life::{Protocol, grown, watched_course};
 use crate::device::meter::Load;
 use crate::failure::Failure;
 use crate::learner::Learner;
-use crate::world::World;
-use crate::world::damage::{Damage, Damaged};
+use crate::world::damage::Damage;
 use crate::world::geometry::Point;
 use crate::world::pioneer::Pioneer;
 use crate::world::setting::WorldOptions;
+use crate::world::{Percept, World};
 
 /// Undamaged actions that are shown.
 const BEFORE: u32 = 600;
@@ -73,12 +73,9 @@ impl Film {
         let mut load = Load::default();
         let forager = grown(both, world, &protocol, seed, &mut load)?;
         let mut forager = forager.acting(Adaptation::Relearning, both.surprise)?;
-        let mut film = Self {
-            knocked: protocol.before.min(BEFORE) as usize,
-            ..Self::default()
-        };
+        let mut crew = Crew::default();
+        crew.film.knocked = protocol.before.min(BEFORE) as usize;
         let (mut seen, skip) = (0, protocol.before.saturating_sub(BEFORE));
-        let (mut places, mut words) = (Vec::new(), BTreeMap::new());
         watched_course(
             &mut forager,
             world,
@@ -87,49 +84,66 @@ impl Film {
             seed,
             &mut |learner, world| {
                 if seen >= skip {
-                    film.shoot(learner, world, &mut places, &mut words);
+                    crew.shoot(learner, world.world(), &world.sense(), world.obtained());
                 }
                 seen += 1;
             },
         )?;
-        Ok(film)
+        Ok(crew.film)
     }
+}
 
-    fn shoot(
+/// Shoots a film, frame by frame.
+#[derive(Clone, Debug, Default)]
+pub struct Crew {
+    /// What was shot so far.
+    pub film: Film,
+    places: Vec<Option<Point>>,
+    words: BTreeMap<String, usize>,
+}
+
+impl Crew {
+    /// Adds the frame of a choice that was made and is not done yet: where `percept` was sensed and so
+    /// much had been obtained.
+    pub fn shoot(
         &mut self,
         learner: &dyn Learner,
-        world: &Damaged<Pioneer>,
-        places: &mut Vec<Option<Point>>,
-        words: &mut BTreeMap<String, usize>,
+        world: &Pioneer,
+        percept: &Percept,
+        obtained: u32,
     ) {
-        let robot = world.world().robot();
+        let Self {
+            film,
+            places,
+            words,
+        } = self;
+        let robot = world.robot();
         let thought = learner.reason();
         let at = robot.position;
         let heading = short(robot.heading().to_degrees());
-        self.poses.push([short(at.x), short(at.y), heading]);
-        let percept = world.sense();
+        film.poses.push([short(at.x), short(at.y), heading]);
         let on = percept.on().iter().filter(|item| item.0 < 32);
-        self.on.push(on.fold(0, |bits, item| bits | 1 << item.0));
-        self.actions.push(thought.action);
-        self.values
+        film.on.push(on.fold(0, |bits, item| bits | 1 << item.0));
+        film.actions.push(thought.action);
+        film.values
             .push(f64::from(libm::roundf(thought.value * 100.0)) / 100.0);
-        self.captures.push(world.obtained());
+        film.captures.push(obtained);
         let next = words.len();
         let index = *words.entry(thought.schema.clone()).or_insert(next);
-        if index == self.spoken.len() {
-            self.spoken.push(thought.schema);
+        if index == film.spoken.len() {
+            film.spoken.push(thought.schema);
         }
-        self.thoughts.push(index);
-        let frame = self.poses.len() - 1;
-        match self.doubts.last_mut() {
+        film.thoughts.push(index);
+        let frame = film.poses.len() - 1;
+        match film.doubts.last_mut() {
             Some(doubt) if thought.alarmed && doubt[1] == frame => doubt[1] += 1,
-            _ if thought.alarmed => self.doubts.push([frame, frame + 1]),
+            _ if thought.alarmed => film.doubts.push([frame, frame + 1]),
             _ => {}
         }
-        let now = world.world().specimens();
+        let now = world.specimens();
         let pair = |at: &Option<Point>| at.map(|at| [short(at.x), short(at.y)]);
         if places.is_empty() {
-            self.first = now.iter().map(pair).collect();
+            film.first = now.iter().map(pair).collect();
             *places = now.to_vec();
         }
         let mut moved = Vec::new();
@@ -139,6 +153,6 @@ impl Film {
                 *old = *new;
             }
         }
-        self.moved.push(moved);
+        film.moved.push(moved);
     }
 }

@@ -11,7 +11,7 @@ mod forest;
 pub mod life;
 mod options;
 pub mod recovery;
-mod replay;
+pub mod replay;
 pub mod rivals;
 mod tables;
 mod trial;
@@ -19,6 +19,7 @@ mod trial;
 pub use options::RecoverOptions;
 pub use trial::{Entrant, Trial};
 
+use self::replay::Scene;
 use super::plan::Experiment;
 use crate::device::meter::Load;
 use crate::failure::Failure;
@@ -97,7 +98,8 @@ impl Experiment for Recover {
             &damage,
         )) = first
         {
-            let replay = replay::replay(film, options, damage, seed);
+            let scene = Scene::of(film, options, damage, seed);
+            let replay = replay::replay(film, &scene);
             results = results
                 .section("A life to watch", replay)
                 .section("What it acted on", replay::spoken(film));

@@ -14,19 +14,50 @@ use crate::world::camera::{FIELD_OF_VIEW, SECTORS};
 use crate::world::damage::Damage;
 use crate::world::pioneer::{ACTIONS, ITEMS};
 
+/// What a film does not show of itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Radius of the room, metres.
+    pub radius: f64,
+    /// How far the camera sees, metres.
+    pub camera_range: f64,
+    /// By how much the damage turns the camera, degrees.
+    pub camera: f64,
+    /// What broke when [`Film::knocked`] says; empty for nothing.
+    pub damage: String,
+    /// What happened.
+    pub title: String,
+    /// Who lives there, and how long.
+    pub subtitle: String,
+}
+
+impl Scene {
+    /// Of a seed's robot with both levels.
+    pub(super) fn of(film: &Film, options: &RecoverOptions, damage: Damage, seed: u64) -> Self {
+        let config = &options.world.config;
+        Self {
+            radius: config.radius,
+            camera_range: config.camera_range,
+            camera: match damage {
+                Damage::Camera(degrees) => degrees,
+                _ => 0.0,
+            },
+            damage: damage.to_string(),
+            title: title(film, damage),
+            subtitle: format!(
+                "Seed {seed}, both levels with habits and surprise: {} undamaged actions, then {} \
+                 with the damage {damage}, of which the robot was not told.",
+                film.knocked,
+                film.captures.len().saturating_sub(film.knocked)
+            ),
+        }
+    }
+}
+
 /// The replay of a film, as HTML.
-pub(super) fn replay(film: &Film, options: &RecoverOptions, damage: Damage, seed: u64) -> String {
-    let radius = options.world.config.radius;
-    let camera = match damage {
-        Damage::Camera(degrees) => degrees,
-        _ => 0.0,
-    };
-    let room = room(
-        radius,
-        options.world.config.camera_range,
-        &film.first,
-        &film.poses,
-    );
+#[must_use]
+pub fn replay(film: &Film, scene: &Scene) -> String {
+    let room = room(scene.radius, scene.camera_range, &film.first, &film.poses);
     let start = film.captures.first().copied().unwrap_or(0);
     let captures: Vec<u32> = film.captures.iter().map(|count| count - start).collect();
     let moved: Vec<Vec<Value>> = film
@@ -38,22 +69,16 @@ pub(super) fn replay(film: &Film, options: &RecoverOptions, damage: Damage, seed
         "items": ITEMS, "actions": ACTIONS, "pose": film.poses, "on": film.on,
         "action": film.actions, "value": film.values, "captures": captures,
         "thought": film.thoughts, "thoughts": film.spoken, "first": film.first,
-        "moved": moved, "doubts": film.doubts, "damage": film.knocked, "camera": camera,
-        "name": damage.to_string(),
+        "moved": moved, "doubts": film.doubts, "damage": film.knocked, "camera": scene.camera,
+        "name": scene.damage,
     });
-    let edge = radius + 0.25;
+    let edge = scene.radius + 0.25;
     let view = format!("{} {} {} {}", -edge, -edge, 2.0 * edge, 2.0 * edge);
-    let subtitle = format!(
-        "Seed {seed}, both levels with habits and surprise: {} undamaged actions, then {} with the \
-         damage {damage}, of which the robot was not told.",
-        film.knocked,
-        captures.len().saturating_sub(film.knocked)
-    );
     // `</` cannot end the script from inside a string.
     let data = data.to_string().replace("</", "<\\/");
     include_str!("replay.html")
-        .replace("__TITLE__", &title(film, damage))
-        .replace("__SUBTITLE__", &subtitle)
+        .replace("__TITLE__", &escaped(&scene.title))
+        .replace("__SUBTITLE__", &escaped(&scene.subtitle))
         .replace("__VIEW__", &view)
         .replace("__ROOM__", &room)
         .replace("__DATA__", &data)
@@ -171,7 +196,7 @@ mod tests {
     use super::super::film::Film;
     use super::super::life::Protocol;
     use super::super::options::RecoverOptions;
-    use super::{replay, spoken, title};
+    use super::{Scene, replay, spoken, title};
     use crate::world::config::PioneerConfig;
     use crate::world::damage::Damage;
     use crate::world::setting::WorldOptions;
@@ -195,7 +220,7 @@ mod tests {
             world, protocol, ..
         } = &options;
         let film = Film::shot(world, protocol, Damage::Camera(12.0), 3).unwrap();
-        let page = replay(&film, &options, Damage::Camera(12.0), 3);
+        let page = replay(&film, &Scene::of(&film, &options, Damage::Camera(12.0), 3));
         for word in ["http:", "https:", "src=", "import ", "url(//", "fetch("] {
             let found = page.replace("http://www.w3.org/2000/svg", "");
             assert!(!found.contains(word), "{word}");
