@@ -122,15 +122,14 @@ impl Binary<'_> {
         scratch: &mut Scratch,
     ) {
         let small = |(scale, rate): (&f32, &f32)| scale * (1.0 - rate) < SMALLEST_SCALE;
-        let nodes = |it: &Self| {
-            it.scale[moving.clone()]
-                .iter()
-                .zip(&rates[moving.clone()])
-                .any(small)
+        // All of them, several at a time, and not up to the first.
+        let any_small = |it: &Self, rates: &[f32]| {
+            let nodes = it.scale[moving.clone()].iter().zip(rates);
+            nodes.fold(false, |any, node| any | small(node))
         };
-        if nodes(self) {
+        if any_small(self, &rates[moving.clone()]) {
             self.fold();
-            if nodes(self) {
+            if any_small(self, &rates[moving.clone()]) {
                 // A rate of almost 1: the node becomes the stimulus.
                 for node in moving.clone() {
                     if 1.0 - rates[node] < SMALLEST_SCALE {

@@ -47,10 +47,16 @@ pub(crate) fn squared_distances(weights: &[f32], stimulus: &[f32], distances: &m
 /// The nearest node; of equally near ones the lowest.
 #[inline(always)]
 pub(crate) fn nearest(distances: &[f32]) -> usize {
-    let mut least = f32::INFINITY;
-    for &distance in distances {
-        least = if distance < least { distance } else { least };
+    // A single minimum would wait for itself at every node.
+    let (blocks, rest) = distances.as_chunks::<LANES>();
+    let mut leasts = [f32::INFINITY; LANES];
+    for block in blocks {
+        for (least, &distance) in leasts.iter_mut().zip(block) {
+            *least = if distance < *least { distance } else { *least };
+        }
     }
+    let all = leasts.iter().chain(rest);
+    let least = all.fold(f32::INFINITY, |least, &distance| least.min(distance));
     let found = distances.iter().position(|&distance| distance == least);
     found.unwrap_or(0)
 }
