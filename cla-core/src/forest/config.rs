@@ -162,8 +162,7 @@ pub enum Doubting {
     serde(deny_unknown_fields)
 )]
 pub struct MindConfig {
-    /// Share of random actions while training, in `[0, 1]`; with a reason they come twenty in a row and
-    /// are 20 p / (20 + 19 p) of all.
+    /// Share of random actions while training, in `[0, 1]`; with a reason they come twenty in a row.
     pub exploring: f32,
     /// The same afterwards.
     pub exploring_acting: f32,

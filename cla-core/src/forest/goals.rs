@@ -4,7 +4,7 @@ use super::config::Voice;
 use super::mind::Mind;
 use super::moment::{Feature, Moment};
 use super::step::{Actions, Deliberation, MindError, Motive};
-use crate::reason::{Pursuit, Reasoning, Way};
+use crate::reason::{Prospects, Pursuit, Reasoning, Way};
 use crate::word::{ActionId, ItemStates, SchemaText, SignedItems};
 
 /// What nearer values than this differ by is nothing.
@@ -132,50 +132,58 @@ impl<
         context
     }
 
-    /// Whether it pursues a goal to which, all thought through, no way is known: it tries anything.
+    /// Whether it pursues a goal and, all thought through, no step is known that leads nearer and is
+    /// allowed, for which it was asked before: it tries anything.
     pub(super) fn is_lost(&self) -> bool {
         self.reason.pursuit().is_underway() && self.reason.is_settled()
     }
 
-    /// The next step to the goal that is pursued, when one is known and allowed.
-    pub(super) fn step(&self, now: &ItemStates<WORDS>, allowed: Actions) -> Option<Deliberation> {
-        if !self.reason.pursuit().is_underway() {
-            return None;
-        }
-        let prospects = self.reason.prospects(now);
-        let action = prospects
-            .towards
-            .filter(|&action| allowed.contains(action))?;
-        let value = prospects.values.get(usize::from(action.0)).copied();
+    /// The next step to the goal that is pursued: the first allowed one of those that lead nearest.
+    ///
+    /// No other step will do: one that leads away, or nowhere, would be undone by the next.
+    pub(super) fn step(
+        &self,
+        prospects: &Prospects<ACTIONS>,
+        allowed: Actions,
+    ) -> Option<Deliberation> {
+        let nearest = prospects.way;
+        let mut steps = (0..).zip(prospects.ways.iter().zip(prospects.values));
+        let (action, (_, value)) = steps.find(|&(action, (&way, _))| {
+            way != Way::Unknown && way == nearest && allowed.contains(ActionId(action))
+        })?;
         Some(Deliberation {
-            action,
-            value: value.flatten().unwrap_or(0.0),
+            action: ActionId(action),
+            value: value.unwrap_or(0.0),
             motive: Motive::Goal,
         })
     }
 
     /// Whether plans are to be followed whoever leads: what was promised came, and something worth
-    /// having is in sight.
-    pub(super) fn trusts(&self, now: &ItemStates<WORDS>) -> bool {
+    /// having is in sight of what is allowed.
+    pub(super) fn trusts(&self, prospects: &Prospects<ACTIONS>, allowed: Actions) -> bool {
+        let promises = |(action, value): (u16, Option<f32>)| {
+            allowed.contains(ActionId(action)) && value.is_some_and(|value| value > 0.0)
+        };
         R::THERE
             && self.config.heard.contains(Voice::Plans)
             && self.reason.reliability() >= RELIABLE
-            && self
-                .plans(now)
-                .is_some_and(|values| values.iter().any(|&value| value > 0.0))
+            && Self::planned(prospects, allowed).is_some()
+            && (0..).zip(prospects.values).any(promises)
     }
 
-    /// What reason holds each action to be worth; `None` where it has no preference.
-    pub(super) fn plans(&self, now: &ItemStates<WORDS>) -> Option<[f32; ACTIONS]> {
-        let values = self
-            .reason
-            .prospects(now)
-            .values
-            .map(|value| value.unwrap_or(0.0));
+    /// What reason holds each action to be worth; `None` where it prefers none of those that are
+    /// allowed.
+    pub(super) fn planned(
+        prospects: &Prospects<ACTIONS>,
+        allowed: Actions,
+    ) -> Option<[f32; ACTIONS]> {
+        let values = prospects.values.map(|value| value.unwrap_or(0.0));
         let (mut least, mut most) = (f32::MAX, f32::MIN);
-        for value in values {
-            least = least.min(value);
-            most = most.max(value);
+        for (action, value) in (0..).zip(values) {
+            if allowed.contains(ActionId(action)) {
+                least = least.min(value);
+                most = most.max(value);
+            }
         }
         (most > least + SAME).then_some(values)
     }

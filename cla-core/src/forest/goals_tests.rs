@@ -3,7 +3,7 @@
 use std::boxed::Box;
 
 use super::super::{Actions, Heard, Mind, MindConfig, MindError, Motive, Voice};
-use crate::reason::{Pursuit, Reason, Reasoning, Way};
+use crate::reason::{Prospects, Pursuit, Reason, Reasoning, Way};
 use crate::word::{ActionId, ItemId, ItemStates, SchemaText, SignedItems, Vocabulary};
 
 /// A corridor of five places; the door at its end opens only with the key, which lies at its
@@ -148,6 +148,66 @@ fn an_action_that_is_not_allowed_leads_to_no_goal() {
         .choose_among(&now, Actions::ALL.without(ActionId(0)))
         .unwrap();
     assert_ne!(choice.action, ActionId(0));
+}
+
+#[test]
+fn of_two_steps_that_lead_as_near_the_allowed_one_is_taken() {
+    let mind = thinker(0, 3);
+    let mut prospects = Prospects::<4>::NONE;
+    prospects.ways = [3, 2, 2, 4].map(Way::Actions);
+    prospects.way = Way::Actions(2);
+    prospects.values = [Some(9.0), Some(0.5), Some(0.25), None];
+    let step = |allowed| mind.step(&prospects, allowed);
+    let taken = |allowed| step(allowed).map(|step| (step.action.0, step.value));
+    assert_eq!(taken(Actions::ALL), Some((1, 0.5)));
+    assert_eq!(taken(Actions::ALL.without(ActionId(1))), Some((2, 0.25)));
+    // A longer way is none: the next step might undo it.
+    let longer = Actions::NONE.with(ActionId(0)).with(ActionId(3));
+    assert_eq!(taken(longer), None);
+    assert_eq!(mind.step(&Prospects::NONE, Actions::ALL), None);
+}
+
+#[test]
+fn plans_are_followed_for_what_an_allowed_action_promises() {
+    let mut prospects = Prospects::<4>::NONE;
+    prospects.values = [Some(1.0), Some(0.0), None, None];
+    let all = Thinker::planned(&prospects, Actions::ALL);
+    assert_eq!(all, Some([1.0, 0.0, 0.0, 0.0]));
+    // Without the first there is nothing to choose between.
+    let others = Actions::ALL.without(ActionId(0));
+    assert_eq!(Thinker::planned(&prospects, others), None);
+    // A mind whose promises are kept does not trust in what it may not do.
+    let mind = thinker(1_500, 1);
+    assert!(mind.reason().reliability() >= 0.8);
+    prospects.values = [Some(1.0), Some(-1.0), Some(0.0), None];
+    assert!(mind.trusts(&prospects, Actions::ALL));
+    assert!(!mind.trusts(&prospects, others));
+    let newborn = thinker(0, 1);
+    assert!(!newborn.trusts(&prospects, Actions::ALL));
+}
+
+#[test]
+fn with_a_reason_random_actions_come_twenty_in_a_row() {
+    let mut mind = Box::new(Thinker::unborn());
+    let config = MindConfig {
+        exploring: 0.3,
+        ..MindConfig::DEFAULT
+    };
+    mind.be_born(config, [0.0; 7], 1).unwrap();
+    let (mut world, mut row, mut rows) = (Corridor::START, 0, 0);
+    for _ in 0..4_000 {
+        let choice = mind.choose(&world.see()).unwrap();
+        if choice.motive == Motive::Chance {
+            row += 1;
+        } else if row > 0 {
+            assert_eq!(row % 20, 0);
+            (row, rows) = (0, rows + 1);
+        }
+        world.act(choice.action);
+        mind.learn(&world.see()).unwrap();
+    }
+    // 1200 actions in rows of twenty, some of which follow each other.
+    assert!((35..=85).contains(&rows), "{rows}");
 }
 
 #[test]

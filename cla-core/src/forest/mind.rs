@@ -266,17 +266,22 @@ impl<
         }
         let seen = self.runs.believed(now);
         self.reason.perceive(&seen);
-        if let Some(step) = self.step(&seen, allowed) {
+        let prospects = self.reason.prospects(&seen);
+        if let Some(step) = self.step(&prospects, allowed) {
             self.led = false;
             return Ok(self.settle(step, seen));
         }
-        self.led = !self.trusts(&seen);
+        self.led = !self.trusts(&prospects, allowed);
         let leader = if self.led {
             self.leader()
         } else {
             Voice::Plans
         };
-        let values = self.speak(leader, &seen);
+        let values = match leader {
+            Voice::Plans => Self::planned(&prospects, allowed),
+            _ => None,
+        };
+        let values = values.unwrap_or_else(|| self.speak(leader, &seen));
         let mut motive = Motive::Voice(leader);
         let mut best = f32::MIN;
         for (action, value) in values.iter().enumerate() {
@@ -356,7 +361,7 @@ impl<
             _ => self.config.exploring,
         };
         let stroll = if R::THERE { STROLL } else { 1 };
-        if self.rng.chance(share / f32::from(stroll)) {
+        if self.rng.chance(setting_out(share, stroll)) {
             self.stroll = stroll - 1;
             return Some(Motive::Chance);
         }
@@ -400,10 +405,10 @@ impl<
         match voice {
             Voice::TreesAndHabits => halves(trees(), habits()),
             Voice::Trees => trees(),
-            Voice::Habits => habits(),
+            // Where plans prefer nothing, habits speak for them.
+            Voice::Habits | Voice::Plans => habits(),
             Voice::Model => model(),
             Voice::ModelAndHabits => halves(model(), habits()),
-            Voice::Plans => self.plans(now).unwrap_or_else(habits),
         }
     }
 
@@ -597,6 +602,13 @@ impl<
         self.last = action;
         self.said = Said::NOTHING;
     }
+}
+
+/// The chance to set out for a stroll when none is under way, so that this share of all actions is
+/// of strolls of such a length.
+fn setting_out(share: f32, length: u16) -> f32 {
+    let length = f32::from(length);
+    share / (length * (1.0 - share) + share)
 }
 
 fn halves<const ACTIONS: usize>(one: [f32; ACTIONS], other: [f32; ACTIONS]) -> [f32; ACTIONS] {

@@ -281,3 +281,16 @@ fn it_escapes_only_where_something_was_earned_before() {
     assert!(escapes(true) >= 50);
     assert_eq!(escapes(false), 0);
 }
+
+#[test]
+fn a_share_of_random_actions_is_a_share_of_all() {
+    for (share, length) in [(0.1, 1), (0.1, 20), (0.5, 20), (1.0, 20), (0.0, 20)] {
+        let begun = super::setting_out(share, length);
+        assert!((0.0..=1.0).contains(&begun));
+        // A stroll begins after so many other actions that may begin one.
+        let length = f32::from(length);
+        let random = length * begun;
+        let all = random + 1.0 - begun;
+        assert!((random / all - share).abs() < 1e-6, "{share} {length}");
+    }
+}

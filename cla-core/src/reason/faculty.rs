@@ -33,6 +33,8 @@ pub struct Prospects<const ACTIONS: usize> {
     pub towards: Option<ActionId>,
     /// How far that goal is.
     pub way: Way,
+    /// How far it is when each action comes first.
+    pub ways: [Way; ACTIONS],
 }
 
 impl<const ACTIONS: usize> Prospects<ACTIONS> {
@@ -41,6 +43,7 @@ impl<const ACTIONS: usize> Prospects<ACTIONS> {
         values: [None; ACTIONS],
         towards: None,
         way: Way::Unknown,
+        ways: [Way::Unknown; ACTIONS],
     };
 }
 
@@ -228,8 +231,7 @@ impl<
         let to = self.believe(after, &foreseen);
         let exact = self.noise(action) <= 0.0;
         let worth = bounded(reward);
-        let there = self.arrive(&to);
-        let here = self.arrive(&from);
+        let (here, there) = self.arrive_from(&from, &to);
         self.imagined.feel(there, worth);
         if here != NOWHERE && there != NOWHERE {
             if let Some(kept) = self.imagined.kept(here, action.0 as u8, there) {
@@ -257,6 +259,18 @@ impl<
             self.front = (at, 0);
         }
         at
+    }
+
+    /// The nodes of the two ends of an action; where both are new, both are yet to be looked at.
+    fn arrive_from(&mut self, from: &ItemSet<WORDS>, to: &ItemSet<WORDS>) -> (u16, u16) {
+        let count = self.imagined.count();
+        let here = self.arrive(from);
+        let is_new = self.imagined.count() > count;
+        let there = self.arrive(to);
+        if is_new {
+            self.front = (here.min(there), 0);
+        }
+        (here, there)
     }
 
     /// This is perceived now: where it is not what the last action led to, that is where it stands.
@@ -456,9 +470,14 @@ impl<
         let Some(here) = self.imagined.find(&on) else {
             return Prospects::NONE;
         };
+        let mut ways = [Way::Unknown; ACTIONS];
         let mut nearest: Option<(u8, ActionId)> = None;
         if self.aim.goal().is_some() {
-            for (action, distance) in (0..).zip(self.imagined.distances(here)) {
+            let distances = self.imagined.distances(here);
+            for (action, (way, distance)) in (0..).zip(ways.iter_mut().zip(distances)) {
+                if distance < NEVER {
+                    *way = Way::Actions(distance + 1);
+                }
                 if distance < nearest.map_or(NEVER, |(least, _)| least) {
                     nearest = Some((distance, ActionId(action)));
                 }
@@ -468,6 +487,7 @@ impl<
             values: self.imagined.values(here, DISCOUNT),
             towards: nearest.map(|(_, action)| action),
             way: nearest.map_or(Way::Unknown, |(left, _)| Way::Actions(left + 1)),
+            ways,
         }
     }
 

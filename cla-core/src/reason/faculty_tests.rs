@@ -338,3 +338,31 @@ fn what_it_does_not_have_teaches_nothing_and_breaks_nothing() {
     );
     assert_eq!(Cook::new().work(1_000), 0);
 }
+
+#[test]
+fn of_an_action_between_two_new_states_both_are_looked_at_first() {
+    let mut reason = lived(400, 0.0, 0.0, 0, 3);
+    let mut rng = Rng::new(1);
+    reason.pursue(on(EATEN), 9, &Kitchen::START.see(false, &mut rng));
+    // What was imagined is at its end.
+    reason.front = (reason.imagined.len(), 0);
+    let at = |at, blinks: [bool; 2]| {
+        let mut now = ItemStates::<1>::all_off(ITEMS);
+        now.set(ItemId(at), Some(true)).unwrap();
+        for (item, on) in (5..).zip(blinks) {
+            now.set(ItemId(item), Some(on)).unwrap();
+        }
+        now
+    };
+    let (from, to) = (at(0, [true, false]), at(1, [false, true]));
+    let known = reason.imagined.len();
+    reason.observe(&from, ActionId(1), &to, 0.0);
+    assert_eq!(reason.imagined.len(), known + 2);
+    assert_eq!(reason.front, (known, 0));
+    let [here, there] = [from, to].map(|it| reason.imagined.find(it.on()).unwrap());
+    assert_eq!((here, there), (known, known + 1));
+    // Where only the end is new it is looked at.
+    let again = at(2, [true, true]);
+    reason.observe(&to, ActionId(1), &again, 0.0);
+    assert_eq!(reason.front, (known + 2, 0));
+}

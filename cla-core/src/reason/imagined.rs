@@ -364,10 +364,11 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         changed
     }
 
-    /// Whether an action led where it was foreseen to lead; `None` where nothing was foreseen.
+    /// Whether an action led where it was foreseen to lead; `None` where nothing was foreseen, or what
+    /// was foreseen was refused.
     pub(super) fn kept(&self, from: u16, action: u8, to: u16) -> Option<bool> {
         let link = self.link(from, action)?;
-        (link != 0).then_some(link == to.wrapping_add(1))
+        (link != 0 && link != REFUSED).then_some(link == to.wrapping_add(1))
     }
 
     /// The states that were lived through: an action led from one to the other. Where it does not

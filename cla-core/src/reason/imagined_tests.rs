@@ -245,3 +245,17 @@ fn room_is_made_to_an_end_however_many_states_were_perceived() {
         }
     }
 }
+
+#[test]
+fn what_was_refused_is_no_broken_promise() {
+    let mut row = row::<8>(3);
+    let [zero, one] = [0, 1].map(|at| row.find(&place(at)).unwrap());
+    assert_eq!(row.kept(zero, 0, one), Some(true));
+    assert_eq!(row.kept(zero, 0, zero), Some(false));
+    let new = row.visit(&place(7), 0.0).unwrap();
+    assert_eq!(row.kept(new, 0, one), None);
+    // Places 0 and 1 at once cannot be: nothing is foreseen.
+    row.foresee(new, 0, &place(0).union(&place(1)), 0.0);
+    assert!(!row.is_open(new, 0));
+    assert_eq!(row.kept(new, 0, one), None);
+}
