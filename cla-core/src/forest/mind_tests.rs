@@ -294,3 +294,34 @@ fn a_share_of_random_actions_is_a_share_of_all() {
         assert!((random / all - share).abs() < 1e-6, "{share} {length}");
     }
 }
+
+#[test]
+fn an_interruption_ends_what_habits_and_model_expect() {
+    // The step before the end brings nothing; what comes after the end is another episode.
+    let value = |voice, interrupted: bool| {
+        let mut mind = born(&[], 8);
+        let config = MindConfig {
+            heard: Heard::only(voice),
+            replayed: 0,
+            ..MindConfig::DEFAULT
+        };
+        mind.be_born(config, [0.0; 8], 8).unwrap();
+        for _ in 0..400 {
+            mind.choose(&at(1)).unwrap();
+            mind.learn(&at(1)).unwrap();
+            if interrupted {
+                mind.interrupt().unwrap();
+            }
+            mind.choose(&at(4)).unwrap();
+            mind.learn_with(&at(5), 10.0).unwrap();
+            mind.interrupt().unwrap();
+        }
+        mind.act().unwrap();
+        mind.choose(&at(1)).unwrap().value
+    };
+    for voice in [Voice::Habits, Voice::Model] {
+        let (apart, joined) = (value(voice, true), value(voice, false));
+        assert!(joined > 4.0, "{voice:?} {joined}");
+        assert!(apart < 0.6 * joined, "{voice:?} {apart} {joined}");
+    }
+}
