@@ -12,7 +12,8 @@ use embedded_storage::nor_flash::NorFlash;
 ///
 /// A save writes over the least worn slot (the oldest where that is equal) other than that of the
 /// newest generation, and a slot that fails is counted and the next one is taken.
-/// The store holds 48 bytes a slot and no image; a call takes about 1 KiB of stack.
+/// The store holds 40 bytes a slot and no image, and a call takes about 2 KiB of stack
+/// (`memory-budget.md`).
 ///
 /// ```
 /// use cla_core::flash::{FlashStore, RamFlash};

@@ -1,12 +1,14 @@
 #![no_std]
 #![no_main]
 //! Takes over a life from the host: loads the image `to-board.brain`, lives on along the recording and
-//! writes `from-board.brain`; says what loading and saving took.
+//! writes `from-board.brain`; says what loading and saving took, and what keeping the brain in flash
+//! takes beside the flash's own time.
 //!
 //! The test `snapshots` in `../../tests` makes the first file and compares the second.
 
+use cla_core::flash::{FlashStore, RamFlash};
 use cla_core::snapshot::{self, SliceSink};
-use firmware_example::resume::{BACK, THERE, live, names};
+use firmware_example::resume::{BACK, SLOT, THERE, live, names};
 use firmware_example::{board, profile};
 use semihosting::io::{Read, Write};
 use semihosting::{fs, println, process};
@@ -16,6 +18,48 @@ const MOST: usize = 384 * 1024;
 
 static mut BRAIN: profile::Brain = profile::brain();
 static mut IMAGE: [u8; MOST] = [0; MOST];
+/// Memory that behaves as flash, for two generations.
+static mut FLASH: [u8; 2 * SLOT as usize] = [0; 2 * SLOT as usize];
+
+/// Instructions and stack of saving into flash, opening it after a reset and resuming, the flash itself
+/// being as fast as memory.
+fn keep(brain: &mut profile::Brain, counter: &mut board::Counter) -> Result<(), &'static str> {
+    type Flash<'a> = RamFlash<'a, 4, 4096>;
+    let memory = &raw mut FLASH;
+    // SAFETY: this runs once, and no interrupt touches it.
+    #[allow(unsafe_code)]
+    let memory: &mut [u8] = unsafe { &mut *memory };
+    let store = FlashStore::<_, 2>::open(Flash::new(memory), 0, SLOT);
+    let mut store = store.map_err(|_| "the slots do not fit")?;
+    println!("store bytes {}", size_of_val(&store));
+    board::paint_stack();
+    counter.lap();
+    let saved = store.save(brain, names(), BACK);
+    let instructions = counter.lap();
+    let saved = saved.map_err(|_| "it is not kept")?;
+    println!("flash save instructions {instructions}");
+    println!("flash save stack {}", board::stack_used());
+    println!("flash save pages {}", saved.cost.erased);
+    println!("flash save written {}", saved.cost.written);
+    let flash = store.release();
+    board::paint_stack();
+    counter.lap();
+    let store = FlashStore::<_, 2>::open(flash, 0, SLOT);
+    let instructions = counter.lap();
+    println!("flash open instructions {instructions}");
+    println!("flash open stack {}", board::stack_used());
+    let mut store = store.map_err(|_| "the slots do not fit")?;
+    board::paint_stack();
+    counter.lap();
+    let resumed = store.resume(brain, names());
+    let instructions = counter.lap();
+    println!("flash resume instructions {instructions}");
+    println!("flash resume stack {}", board::stack_used());
+    match resumed {
+        Ok(it) if it.tick == BACK => Ok(()),
+        _ => Err("it is not resumed"),
+    }
+}
 
 /// Goes from host to board and back.
 fn take_over() -> Result<(), &'static str> {
@@ -61,6 +105,7 @@ fn take_over() -> Result<(), &'static str> {
     println!("saved {saved}");
     println!("save instructions {instructions}");
     println!("save stack {}", board::stack_used());
+    keep(brain, &mut counter)?;
     let image = image.get(..saved as usize).unwrap_or_default();
     let mut file = fs::File::create(c"from-board.brain").map_err(|_| "there is no room")?;
     file.write_all(image)

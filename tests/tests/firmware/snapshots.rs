@@ -7,9 +7,11 @@ use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::pioneer;
 use firmware_example::resume::{BACK, FROM_BOARD, THERE, TO_BOARD, live, names};
 use firmware_example::trace::{ACTIONS, SEED};
-use host_sim::device::board::Build;
+use host_sim::device::board::{Build, Printed};
 use host_sim::device::target::Target;
 use host_sim::keeping::{keep, recall};
+
+use super::budget::{Tolerance, hold};
 
 /// A folder of this test's own, removed at its end.
 struct Folder(PathBuf);
@@ -41,6 +43,33 @@ fn at_home() -> Box<pioneer::Brain> {
     brain
 }
 
+/// What keeping that brain in flash takes, against the budget.
+fn kept_in_flash(printed: &str) {
+    let printed = Printed::from(printed.to_owned());
+    let number = |start: &str| {
+        let number = printed.number(start, "");
+        Some(number.unwrap_or_else(|error| panic!("{error}")))
+    };
+    let row = |(name, start): (&str, &str)| (name.to_owned(), vec![number(start)]);
+    let exact = [
+        ("the store, two slots, bytes", "store bytes"),
+        ("save: deepest stack", "flash save stack"),
+        ("open: deepest stack", "flash open stack"),
+        ("resume: deepest stack", "flash resume stack"),
+        ("save: pages erased", "flash save pages"),
+        ("save: bytes written", "flash save written"),
+    ];
+    let counted = [
+        ("save: instructions", "flash save instructions"),
+        ("open: instructions", "flash open instructions"),
+        ("resume: instructions", "flash resume instructions"),
+    ];
+    let head = "| | Cortex-M4F |";
+    hold("store", head, &exact.map(row).to_vec(), Tolerance::None);
+    let counted = counted.map(row).to_vec();
+    hold("store instructions", head, &counted, Tolerance::Percent);
+}
+
 #[test]
 fn a_life_goes_from_the_host_to_a_board_and_back_and_nobody_can_tell() {
     let folder = Folder(std::env::temp_dir().join(format!("moving-{}", std::process::id())));
@@ -63,6 +92,7 @@ fn a_life_goes_from_the_host_to_a_board_and_back_and_nobody_can_tell() {
         assert!(printed.lines().any(|it| it == line), "{line}: {printed}");
     }
     assert!(fs::read(&whole).expect("whole") == fs::read(&back).expect("back"));
+    kept_in_flash(&printed);
     let mut returned = Box::new(pioneer::brain());
     recall(&mut *returned, names(), &back).expect("it is whole");
     let lives = [&mut home, &mut returned].map(|it| live(it, BACK, ACTIONS / 4).expect("it lives"));
