@@ -1,16 +1,18 @@
 //! The command line of the simulator: what was asked for is checked, run, shown and written.
 
 use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
 use host_sim::cli::{Cli, Command, Errand};
-use host_sim::failure::Failure;
+use host_sim::experiment::sweep;
+use host_sim::failure::{Failure, Impossible};
 use host_sim::keeping;
 use host_sim::logs;
 use host_sim::options::{self, Order};
 use host_sim::progress::Progress;
-use host_sim::report::{Circumstances, Journal};
+use host_sim::report::{Circumstances, Journal, Output};
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
@@ -49,6 +51,11 @@ fn do_errand(errand: &Errand) -> ExitCode {
             logs::replayed(file, page.as_deref().unwrap_or(&beside))
         }
         Errand::Export { file, out, .. } => keeping::export(file, out.as_deref()),
+        Errand::Merge { shards, out, force } => match merged(shards, out, *force) {
+            // Shards that do not fit are options that cannot be.
+            Err(failure) if failure.is::<Impossible>() => return refuse(&failure.to_string()),
+            done => done,
+        },
         Errand::Train { .. } => match options::training(errand) {
             Ok(Some(training)) => keeping::train(&training),
             Ok(None) => Ok(String::new()),
@@ -59,6 +66,31 @@ fn do_errand(errand: &Errand) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => fail(&failure),
     }
+}
+
+/// Puts shards together and writes what comes of them.
+fn merged(shards: &[PathBuf], out: &Path, force: bool) -> Result<String, Failure> {
+    if out.join(Output::SUMMARY).exists() && !force {
+        let sentence = format!("{} holds a run already: --force replaces it", out.display());
+        return Err(Impossible::new(sentence).into());
+    }
+    let mut results = sweep::merge(shards)?;
+    let circumstances = Circumstances::begin();
+    results.summary.command = command_line();
+    results.summary.commit = circumstances.commit().map(str::to_owned);
+    let output = Output::prepare(out)?;
+    results.write(&output)?;
+    Ok(results.brief(output.directory()))
+}
+
+/// The command, without how often it was begun and what is printed.
+fn command_line() -> String {
+    let arguments = std::env::args_os().skip(1);
+    let arguments = arguments.map(|it| it.display().to_string());
+    let arguments: Vec<_> = arguments
+        .filter(|it| !["--resume", "--force", "--table"].contains(&it.as_str()))
+        .collect();
+    format!("host-sim {}", arguments.join(" "))
 }
 
 /// Shows a text to whoever still reads along.
@@ -84,13 +116,7 @@ fn run(order: &Order) -> Result<ExitCode, Failure> {
         }
         done => done?,
     };
-    let arguments = std::env::args_os().skip(1);
-    let arguments = arguments.map(|it| it.display().to_string());
-    // How often a run was begun, and what is printed, is no part of what it is.
-    let arguments: Vec<_> = arguments
-        .filter(|it| !["--resume", "--force", "--table"].contains(&it.as_str()))
-        .collect();
-    results.summary.command = format!("host-sim {}", arguments.join(" "));
+    results.summary.command = command_line();
     results.summary.commit = circumstances.commit().map(str::to_owned);
     let circumstances = circumstances.to_json(&results.summary.command);
     output.write(Circumstances::NAME, circumstances.as_bytes())?;

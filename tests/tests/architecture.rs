@@ -186,7 +186,14 @@ const SIMULATOR: [(&str, &[&str]); 15] = [
     (
         "main",
         &[
-            "cli", "failure", "keeping", "logs", "options", "progress", "report",
+            "cli",
+            "experiment",
+            "failure",
+            "keeping",
+            "logs",
+            "options",
+            "progress",
+            "report",
         ],
     ),
 ];

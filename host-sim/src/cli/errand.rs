@@ -38,6 +38,18 @@ pub enum Errand {
         #[arg(long, value_name = "FILE")]
         log: Vec<PathBuf>,
     },
+    /// Put the shards of a sweep together and judge them, if they are all there and nothing else is.
+    Merge {
+        /// The directory of the sweep, or those of its shards.
+        #[arg(required = true, value_name = "DIR")]
+        shards: Vec<PathBuf>,
+        /// Directory for results.jsonl, report.html and summary.json.
+        #[arg(long, value_name = "DIR")]
+        out: PathBuf,
+        /// Replace what the directory holds.
+        #[arg(long)]
+        force: bool,
+    },
     /// Show what a kept brain knows: health, items, schemas by value and reliability, habits, beliefs.
     Inspect {
         /// The brain's file.

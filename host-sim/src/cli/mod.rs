@@ -157,6 +157,24 @@ pub enum Command {
         #[command(flatten)]
         out: OutArgs,
     },
+    /// Lives on a grid of settings and seeds, in one go or in shards; what was made is not made again.
+    Sweep {
+        /// A setting and the values that it takes in turn; may be given several times.
+        #[arg(long, value_name = "KEY=VALUE,VALUE…", allow_hyphen_values = true)]
+        grid: Vec<String>,
+        /// Which lives [default: 100, or what the file says].
+        #[arg(long, value_name = "A..B", allow_negative_numbers = true)]
+        seeds: Option<String>,
+        /// Make the trials I, I + N, I + 2 N … alone, in a directory of their own below --out.
+        #[arg(long, value_name = "I/N", requires = "out")]
+        shard: Option<String>,
+        /// Who lives where.
+        #[command(flatten)]
+        live: LiveArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// The brain on emulated microcontrollers: the same bits, what it costs, others beside it.
     Mcu {
         /// Which lives.

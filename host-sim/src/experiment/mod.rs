@@ -15,6 +15,7 @@ pub mod plan;
 pub mod record;
 pub mod recover;
 pub mod survive;
+pub mod sweep;
 
 use crate::report::Claim;
 

@@ -5,6 +5,7 @@ use serde_json::Value;
 use super::shared::seeds;
 use crate::cli::{LiveArgs, SeedArgs};
 use crate::experiment::live::LiveOptions;
+use crate::experiment::sweep::{Axis, Shard, SweepOptions};
 use crate::failure::Impossible;
 use crate::settings::{self, empty, pair, put};
 
@@ -14,6 +15,30 @@ use crate::settings::{self, empty, pair, put};
 /// [`Impossible`] for the first thing that cannot be.
 pub(super) fn live(asked: Option<&String>, args: &LiveArgs) -> Result<LiveOptions, Impossible> {
     let mut given = given(args)?;
+    let seeds = seeds_of(asked, &mut given)?;
+    LiveOptions::new(seeds, given)
+}
+
+/// The sweep that is asked for.
+///
+/// # Errors
+/// [`Impossible`] for the first thing that cannot be.
+pub(super) fn sweep(
+    grid: &[String],
+    asked: Option<&String>,
+    shard: Option<&String>,
+    args: &LiveArgs,
+) -> Result<SweepOptions, Impossible> {
+    let mut given = given(args)?;
+    let seeds = seeds_of(asked, &mut given)?;
+    let grid = grid.iter().map(|text| Axis::parse(text));
+    let grid = grid.collect::<Result<_, _>>()?;
+    let shard = shard.map(|text| Shard::parse(text)).transpose()?;
+    SweepOptions::new(seeds, &given, grid, shard)
+}
+
+/// The seeds of the command line, or of the file, or one.
+fn seeds_of(asked: Option<&String>, given: &mut Value) -> Result<Vec<u64>, Impossible> {
     let written = given.as_object_mut().and_then(|it| it.remove("seeds"));
     let text = match (asked, written) {
         (Some(text), _) => text.clone(),
@@ -25,7 +50,7 @@ pub(super) fn live(asked: Option<&String>, args: &LiveArgs) -> Result<LiveOption
         }
         (None, None) => "100".to_owned(),
     };
-    LiveOptions::new(seeds(&SeedArgs { seeds: text })?, given)
+    seeds(&SeedArgs { seeds: text })
 }
 
 /// All settings that are given, as a tree.

@@ -27,6 +27,7 @@ use crate::experiment::one::{One, OneOptions};
 use crate::experiment::plan::Experiment;
 use crate::experiment::recover::{Recover, RecoverOptions};
 use crate::experiment::survive::{Scale, Survive, SurviveOptions};
+use crate::experiment::sweep::{Shard, Sweep};
 use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
 use crate::report::{Begin, Journal, Place, Results};
@@ -79,15 +80,7 @@ impl Order {
             .map(|args| Budget::new(&args.budget, &args.processor))
             .transpose()?;
         Ok(Self {
-            place: Place {
-                home: Path::new("runs").join(plan.name()),
-                asked: out.out.clone(),
-                begin: match (out.force, out.resume) {
-                    (_, true) => Begin::Resume,
-                    (true, false) => Begin::Force,
-                    (false, false) => Begin::Fresh,
-                },
-            },
+            place: place(command, plan.name(), out)?,
             plan,
             budget,
             table: out.table,
@@ -108,6 +101,34 @@ impl Order {
         budget.check_ram(bytes)?;
         Ok(budget.judge(self.plan.run(progress, journal)?, bytes))
     }
+}
+
+/// Where files go: a shard has a directory of its own, and a sweep goes on by itself.
+fn place(command: &Command, name: &str, out: &OutArgs) -> Result<Place, Impossible> {
+    let mut asked = out.out.clone();
+    let mut begin = match (out.force, out.resume) {
+        (_, true) => Begin::Resume,
+        (true, false) => Begin::Force,
+        (false, false) => Begin::Fresh,
+    };
+    if let Command::Sweep { shard, .. } = command {
+        if let (Some(directory), Some(text)) = (&mut asked, shard) {
+            *directory = directory.join(Shard::parse(text)?.directory());
+        }
+        let begun = asked.as_ref().map(|it| it.join(Journal::NAME));
+        if begin != Begin::Force {
+            begin = match begun {
+                Some(journal) if journal.exists() => Begin::Resume,
+                Some(_) => Begin::Fresh,
+                None => begin,
+            };
+        }
+    }
+    Ok(Place {
+        home: Path::new("runs").join(name),
+        asked,
+        begin,
+    })
 }
 
 /// What a command asks for: the one place where arguments become options.
@@ -183,6 +204,16 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
                 ..SurviveOptions::new(seeds(which)?, part)?
             };
             (plan::<Survive>(options), out, None)
+        }
+        Command::Sweep {
+            grid,
+            seeds: which,
+            shard,
+            live: args,
+            out,
+        } => {
+            let options = live::sweep(grid, which.as_ref(), shard.as_ref(), args)?;
+            (plan::<Sweep>(options), out, None)
         }
         Command::Mcu {
             seeds: which,

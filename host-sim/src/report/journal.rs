@@ -188,6 +188,12 @@ impl Journal {
         }
     }
 
+    /// The first difference between what two runs are about, in words; `None` when they are the same.
+    #[must_use]
+    pub fn difference(was: &Value, is: &Value) -> Option<String> {
+        difference("", was, is)
+    }
+
     /// Adds a line, which is on the disk afterwards.
     ///
     /// # Errors
