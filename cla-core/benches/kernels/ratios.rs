@@ -39,10 +39,11 @@ pub(crate) fn directory() -> PathBuf {
 impl Ratios {
     /// Begins a group of what does the same.
     pub(crate) fn group<'a>(&'a mut self, criterion: &'a mut Criterion, name: &str) -> Group<'a> {
-        let group = self.groups.push_mut((name.to_owned(), Vec::new()));
+        let place = self.groups.len();
+        self.groups.push((name.to_owned(), Vec::new()));
         Group {
             criterion: criterion.benchmark_group(name),
-            names: &mut group.1,
+            names: &mut self.groups[place].1,
         }
     }
 
