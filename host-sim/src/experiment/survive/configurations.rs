@@ -1,12 +1,14 @@
-//! Who survives: the agent's named configurations and the one learner, in the Pioneer.
+//! Who survives: the agent's named configurations and the one learner, in the Pioneer and at the lamp.
 
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forest::MindConfig;
 
+use super::lamp::floats;
 use crate::failure::Failure;
 use crate::learner::Learner;
 use crate::learner::forager::Forager;
 use crate::learner::mind::Minded;
+use crate::learner::native::Native;
 use crate::world::pioneer::{INGRIP, ITEMS};
 
 /// What the one valued item is worth in both worlds.
@@ -31,6 +33,22 @@ pub(super) fn forager(config: Option<AgentConfig>, seed: u64) -> Result<Box<dyn 
             values[usize::from(INGRIP)] = VALUE;
             let config = MindConfig::DEFAULT;
             Box::new(Minded::<1, 7, 6>::born(config, values, seed)?)
+        }
+    })
+}
+
+/// Born to circle a lamp.
+pub(super) fn moth(config: Option<AgentConfig>, seed: u64) -> Result<Box<dyn Learner>, Failure> {
+    Ok(match config {
+        Some(config) => {
+            let mut brain = Box::new(floats::brain());
+            floats::be_born(&mut brain, config, seed)?;
+            Box::new(Native::new(brain, Adaptation::Relearning))
+        }
+        None => {
+            let values = [0.0, 0.0, 0.0, VALUE];
+            let config = MindConfig::DEFAULT;
+            Box::new(Minded::<1, 4, 3>::born(config, values, seed)?)
         }
     })
 }

@@ -1,9 +1,13 @@
 //! The parts, in the order in which they are run and reported.
 
 mod bit_flip;
+mod long_life;
 mod resume;
 
 use super::part::Part;
 
-/// All of them.
+/// All whose claims are declared, and stand in the committed results.
 pub(super) const ALL: &[Part] = &[bit_flip::PART, resume::PART];
+
+/// Those whose claims are not committed yet: they are run only when they are named.
+pub(super) const UNCLAIMED: &[Part] = &[long_life::PART];

@@ -1,0 +1,209 @@
+//! Lives without an end in a world that does not change: the named configurations in the Pioneer's
+//! room and at the lamp, block by block.
+//!
+//! After its training each acts and goes on learning (`Adaptation::Relearning`).
+
+use cla_core::agent::AgentConfig;
+use cla_core::forest::MindConfig;
+
+use super::super::configurations::{CONFIGURATIONS, VALUE, forager, moth};
+use super::super::lamp::{Lamp, names as lamp_names};
+use super::super::part::{Part, Scale, claim, never};
+use crate::device::target::Target;
+use crate::experiment::measured::{Trial, of};
+use crate::failure::Failure;
+use crate::learner::{Learner, live, watched};
+use crate::report::{Bound, Claim, Rule, mean};
+use crate::world::World;
+use crate::world::config::PioneerConfig;
+use crate::world::pioneer::{ACTIONS, ITEMS, Pioneer};
+use cla_core::snapshot::Names;
+
+/// The part.
+pub(crate) const PART: Part = Part {
+    name: "long_life",
+    is_slow: true,
+    measure,
+    claims,
+    ..Part::QUICK
+};
+
+/// Actions of the training.
+const TRAINING: u32 = 20_000;
+/// Actions of a block.
+const BLOCK: u32 = 100_000;
+/// Blocks in the Pioneer's room, and at the lamp.
+const BLOCKS: [usize; 2] = [10, 20];
+/// Actions between two looks at what choices are held to be worth.
+const LOOK: u32 = 97;
+/// Of the best block, what every block has to reach.
+const SHARE: f64 = 0.9;
+
+/// Where they live, as claims name it.
+const WORLDS: [&str; 2] = ["forager", "lamp"];
+
+fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
+    for (name, config) in CONFIGURATIONS {
+        let room = Pioneer::new(PioneerConfig::NOISY, seed)?;
+        let names = Names::of(&ITEMS, &ACTIONS);
+        let mut life = Life::new(scale, config, forager(config, seed)?, room)?;
+        life.live(scale, BLOCKS[0], names)?;
+        life.note(&format!("long_life.forager.{name}"), trial);
+        let lamp = Lamp::new(seed);
+        let mut life = Life::new(scale, config, moth(config, seed)?, lamp)?;
+        life.live(scale, BLOCKS[1], lamp_names())?;
+        life.note(&format!("long_life.lamp.{name}"), trial);
+    }
+    Ok(())
+}
+
+/// A life after its training, and what is seen of it.
+struct Life<W> {
+    learner: Box<dyn Learner>,
+    world: W,
+    /// What can be earned at most: a reward with every action, for ever, discounted as choices and as
+    /// habits do.
+    earned: (f64, f64),
+    obtained: Vec<f64>,
+    /// The most instructions of a step on a Cortex-M4F, block by block.
+    worst: Vec<f64>,
+    /// The largest worth of a choice or a habit, over what can be earned.
+    value: f64,
+    /// Blocks after which it could not be stored, because something in it cannot be so.
+    unsound: u32,
+}
+
+impl<W: World> Life<W> {
+    fn new(
+        scale: Scale,
+        config: Option<AgentConfig>,
+        mut learner: Box<dyn Learner>,
+        mut world: W,
+    ) -> Result<Self, Failure> {
+        live(&mut *learner, &mut world, scale.of(TRAINING))?;
+        learner.act()?;
+        let discounts = match config {
+            Some(config) => (
+                config.values.discount,
+                config.habits.map_or(0.0, |it| it.discount),
+            ),
+            None => {
+                let it = MindConfig::DEFAULT;
+                let all = it.discount.max(it.habit_discount).max(it.model_discount);
+                (all, 0.0)
+            }
+        };
+        let at_most = |discount: f32| f64::from(VALUE) / (1.0 - f64::from(discount));
+        Ok(Self {
+            learner,
+            world,
+            earned: (at_most(discounts.0), at_most(discounts.1)),
+            obtained: Vec::new(),
+            worst: Vec::new(),
+            value: 0.0,
+            unsound: 0,
+        })
+    }
+
+    fn live(&mut self, scale: Scale, blocks: usize, names: Names) -> Result<(), Failure> {
+        for _ in 0..blocks {
+            let (mut done, mut most) = (0, (0.0_f32, 0.0_f32));
+            let mut watch = |learner: &dyn Learner, world: &W| {
+                if done % LOOK == 0 {
+                    let worth = learner.worth(&world.sense());
+                    most = (most.0.max(worth.choice.abs()), most.1.max(worth.habit));
+                }
+                done += 1;
+            };
+            let actions = scale.of(BLOCK);
+            let lived = watched(&mut *self.learner, &mut self.world, actions, &mut watch)?;
+            self.obtained.push(f64::from(lived.total()));
+            self.worst.push(lived.load.worst(Target::M4f) as f64);
+            let of_most = f64::from(most.0) / self.earned.0;
+            self.value = self
+                .value
+                .max(of_most)
+                .max(f64::from(most.1) / self.earned.1);
+            self.unsound += u32::from(self.learner.image(names).is_err());
+        }
+        Ok(())
+    }
+
+    fn note(self, name: &str, trial: &mut Trial) {
+        let (first, last) = (self.worst.first(), self.worst.last());
+        for (what, number) in [
+            ("value", self.value),
+            ("unsound", f64::from(self.unsound)),
+            ("alarms", f64::from(self.learner.alarms())),
+            ("schemas", self.learner.reliabilities().len() as f64),
+            ("instructions.first", first.copied().unwrap_or_default()),
+            ("instructions.last", last.copied().unwrap_or_default()),
+        ] {
+            trial.note(format!("{name}.{what}"), number);
+        }
+        trial.note_all(name, self.obtained);
+    }
+}
+
+fn claims(trials: &[Trial]) -> Vec<Claim> {
+    let mut all = Vec::new();
+    let sum = |what: &str| -> Vec<f64> {
+        let of_trial = |trial: &Trial| {
+            let lives = WORLDS.iter().flat_map(|world| {
+                CONFIGURATIONS.map(|(name, _)| format!("long_life.{world}.{name}.{what}"))
+            });
+            lives.fold(0.0, |sum, life| sum + trial.sum(&life, 1))
+        };
+        trials.iter().map(of_trial).collect()
+    };
+    all.push(never(
+        "long_life.unsound",
+        "blocks",
+        "blocks of all lives after which a number was not finite, or a link led nowhere",
+        &sum("unsound"),
+    ));
+    for (world, blocks) in WORLDS.into_iter().zip(BLOCKS) {
+        for (name, _) in CONFIGURATIONS {
+            let life = format!("long_life.{world}.{name}");
+            let note = format!(
+                "the seed's worst of {blocks} blocks of 100,000 actions, over the mean of all seeds in \
+                 their best block"
+            );
+            all.push(
+                claim(&life, "share of the best block")
+                    .rule(Rule::every_seed(Bound::AtLeast(SHARE)))
+                    .note(note)
+                    .judge(&worst_blocks(trials, &life)),
+            );
+            all.push(
+                claim(&format!("{life}.value"), "share of what can be earned")
+                    .rule(Rule::every_seed(Bound::AtMost(1.0)))
+                    .note(
+                        "the largest worth of a choice or of a habit, over the largest value with every \
+                         action for ever, discounted as they are",
+                    )
+                    .judge(&of(trials, &format!("{life}.value"))),
+            );
+            let best = best_block(trials, &life);
+            all.push(claim(&format!("{life}.best_block"), "obtained").judge_count(best));
+        }
+    }
+    all
+}
+
+/// The mean of all seeds in the block in which it is largest.
+fn best_block(trials: &[Trial], life: &str) -> f64 {
+    let blocks = trials.first().map_or(0, |it| it.several(life).len());
+    let of_block = |block: usize| {
+        let seeds = trials.iter().filter_map(|it| it.several(life).get(block));
+        mean(&seeds.copied().collect::<Vec<_>>())
+    };
+    (0..blocks).map(of_block).fold(f64::NAN, f64::max)
+}
+
+/// Each seed's worst block, over the best one of all.
+fn worst_blocks(trials: &[Trial], life: &str) -> Vec<f64> {
+    let best = best_block(trials, life);
+    let worst = |it: &Trial| it.several(life).iter().copied().fold(f64::NAN, f64::min);
+    trials.iter().map(|it| worst(it) / best).collect()
+}
