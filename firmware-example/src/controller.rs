@@ -1,14 +1,16 @@
-//! A brain that serves a body at the other end of a wire, and the safe stop when the wire is cut.
+//! A brain that serves a body at the other end of a wire, and the safe stop when orders stay away.
 //!
-//! Orders are numbered. The next one is followed; the last one again is answered as before and not
-//! followed twice, so that the other side may ask again; any other is dropped and counted.
+//! Which orders are followed and when the robot stops is decided by [`Desk`]; here its decisions meet
+//! a brain, a wire and a clock.
 
-use cla_core::agent::{Adaptation, AgentConfig, AgentError};
+use cla_core::agent::{Adaptation, AgentConfig, AgentError, Stage};
 use cla_core::som::Prototypes;
 use cla_core::word::ActionId;
 
 use crate::fingerprint::Fingerprint;
-use crate::link::{Answer, Dropped, FRAME, Fault, Numbered, Order, Receiver, encode};
+use crate::link::{
+    Answer, Desk, Dropped, FRAME, Life, Order, Receiver, Refusal, Robot, Seal, encode,
+};
 use crate::replay::{self, Forager};
 use crate::trace::from_bits;
 
@@ -34,7 +36,8 @@ mod log {
 
 /// Bytes to and from the other side.
 pub trait Wire {
-    /// Waits for some bytes.
+    /// Takes what bytes there are; waits for the first one longer than bytes of a frame lie apart,
+    /// and shorter than a robot may wait for its stop: a few milliseconds.
     fn hear(&mut self, bytes: &mut [u8]) -> Heard;
 
     /// Sends bytes; whether they went out.
@@ -46,16 +49,32 @@ pub trait Wire {
 pub enum Heard {
     /// So many bytes.
     Bytes(usize),
-    /// Nothing for longer than a robot may wait.
-    Silence,
+    /// Nothing for now.
+    Pause,
     /// The other side is gone for good.
     Gone,
 }
 
 /// The part of a body that must work without a brain.
 pub trait SafeStop {
+    /// Milliseconds since some beginning, modulo 2³².
+    fn now(&mut self) -> u32;
+
     /// Brings everything that moves to rest.
     fn stop(&mut self);
+}
+
+/// How orders are taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Service {
+    /// Another number after every reset: from a source of chance, or a counter that outlives it.
+    pub fresh: u64,
+    /// Milliseconds that the robot may go on without an order that is followed.
+    pub patience: u32,
+    /// Who lives here already; [`Life::UNBORN`] but for a brain that was brought back.
+    pub life: Life,
+    /// How frames are sealed, in both directions.
+    pub seal: Seal,
 }
 
 /// Why serving ended; the robot stands.
@@ -67,8 +86,8 @@ pub enum End {
     HostGone,
 }
 
-/// Serves until told to stop or until the other side is gone; then, and in every silence, the robot
-/// is stopped.
+/// Serves until told to stop or until the other side is gone; then, at the beginning, and whenever
+/// no order was followed for too long, the robot is stopped.
 pub fn serve<
     const W: usize,
     const H: usize,
@@ -81,98 +100,90 @@ pub fn serve<
     brain: &mut Forager<W, H, P, S, Y, B, M>,
     wire: &mut impl Wire,
     body: &mut impl SafeStop,
+    service: Service,
 ) -> End {
-    let mut receiver = Receiver::new();
-    let mut desk = Desk::default();
+    let mut receiver = Receiver::new(service.seal);
+    let mut desk = Desk::new(service.fresh, service.patience, service.life);
+    let mut robot = Whole { brain, body };
     let mut bytes = [0; FRAME];
+    robot.body.stop();
     loop {
         let heard = match wire.hear(&mut bytes) {
             Heard::Bytes(count) => count,
-            Heard::Silence => {
-                body.stop();
-                continue;
+            Heard::Pause => {
+                if let Some(fault) = receiver.pause() {
+                    desk.drop(fault);
+                }
+                0
             }
             Heard::Gone => {
-                body.stop();
+                desk.close(&mut robot);
                 return End::HostGone;
             }
         };
+        // Whatever came: what counts are orders.
+        desk.tick(&mut robot);
         for &byte in bytes.get(..heard).unwrap_or_default() {
-            let Some(order) = receiver.take::<Order>(byte) else {
+            let call = match receiver.take(byte) {
+                None => continue,
+                Some(Ok(call)) => call,
+                Some(Err(fault)) => {
+                    desk.drop(fault);
+                    continue;
+                }
+            };
+            let Some(reply) = desk.hear(call, &mut robot) else {
                 continue;
             };
-            let Some(answer) = desk.answer(order, brain) else {
-                continue;
-            };
-            let told = desk.last == Some(Order::Stop);
-            if told {
-                body.stop();
-            }
             let mut frame = [0; FRAME];
-            let said = encode(&answer, &mut frame).is_some_and(|frame| wire.say(frame));
-            if told {
+            let frame = encode(&reply, receiver.seal(), &mut frame);
+            let said = frame.is_some_and(|frame| wire.say(frame));
+            if desk.is_told() {
                 return End::Told;
             }
             if !said {
-                body.stop();
+                desk.close(&mut robot);
                 return End::HostGone;
             }
         }
     }
 }
 
-/// Keeps the numbers.
-#[derive(Default)]
-struct Desk {
-    number: u32,
-    last: Option<Order>,
-    answer: Option<Answer>,
-    dropped: Dropped,
+/// A body and its brain.
+struct Whole<'a, Brain, Body> {
+    brain: &'a mut Brain,
+    body: &'a mut Body,
 }
 
-impl Desk {
-    /// The answer to an order; `None` to one that is dropped.
-    fn answer<
-        const W: usize,
-        const H: usize,
-        const P: usize,
-        const S: usize,
-        const Y: usize,
-        const B: usize,
-        M: Prototypes<W, H>,
-    >(
-        &mut self,
-        order: Result<Numbered<Order>, Fault>,
-        brain: &mut Forager<W, H, P, S, Y, B, M>,
-    ) -> Option<Numbered<Answer>> {
-        let dropped = &mut self.dropped;
-        let Numbered { number, message } = match order {
-            Ok(order) => order,
-            Err(fault) => {
-                match fault {
-                    Fault::Broken => dropped.broken = dropped.broken.saturating_add(1),
-                    Fault::Oversized => dropped.oversized = dropped.oversized.saturating_add(1),
-                }
-                return None;
-            }
-        };
-        if number == self.number && self.last == Some(message) {
-            dropped.repeated = dropped.repeated.saturating_add(1);
-            let message = self.answer?;
-            return Some(Numbered { number, message });
+impl<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+    M: Prototypes<W, H>,
+    Body: SafeStop,
+> Robot for Whole<'_, Forager<W, H, P, S, Y, B, M>, Body>
+{
+    fn now(&mut self) -> u32 {
+        self.body.now()
+    }
+
+    fn stop(&mut self) {
+        self.body.stop();
+    }
+
+    fn follow(&mut self, order: Order, dropped: &Dropped, expired: u32) -> Answer {
+        match order {
+            Order::Report => Answer::Report {
+                dropped: *dropped,
+                expired,
+                schemas: self.brain.knowledge().schemas().len() as u16,
+                knowledge: knowledge(self.brain),
+            },
+            _ => follow(order, self.brain),
         }
-        if number != self.number.wrapping_add(1) {
-            dropped.out_of_turn = dropped.out_of_turn.saturating_add(1);
-            return None;
-        }
-        let answer = follow(message, brain, *dropped);
-        self.number = number;
-        self.last = Some(message);
-        self.answer = Some(answer);
-        Some(Numbered {
-            number,
-            message: answer,
-        })
     }
 }
 
@@ -187,19 +198,19 @@ fn follow<
 >(
     order: Order,
     brain: &mut Forager<W, H, P, S, Y, B, M>,
-    dropped: Dropped,
 ) -> Answer {
+    const REFUSED: Answer = Answer::Refused(Refusal::Brain);
     let done = |outcome: Result<(), AgentError>| match outcome {
         Ok(()) => Answer::Done,
         Err(error) => {
             log::refused(&error);
-            Answer::Refused
+            REFUSED
         }
     };
     match order {
-        Order::Begin { seed } => match replay::be_born(brain, AgentConfig::FORAGER, seed) {
+        Order::Begin { seed, .. } => match replay::be_born(brain, AgentConfig::FORAGER, seed) {
             Ok(()) => Answer::Done,
-            Err(_) => Answer::Refused,
+            Err(_) => REFUSED,
         },
         Order::Choose { now } => match brain.choose(&from_bits(now)) {
             Ok(choice) => {
@@ -226,17 +237,15 @@ fn follow<
                     .map(drop),
             )
         }
+        // An unborn brain would take a configuration and stay unborn.
+        Order::SecondLevel if brain.stage() == Stage::Unborn => REFUSED,
         Order::SecondLevel => match brain.reconfigure(AgentConfig::FORAGER_LEVEL2) {
             Ok(()) => Answer::Done,
-            Err(_) => Answer::Refused,
+            Err(_) => REFUSED,
         },
         Order::Act => done(brain.act(Adaptation::Reliabilities)),
-        Order::Report => Answer::Report {
-            dropped,
-            schemas: brain.knowledge().schemas().len() as u16,
-            knowledge: knowledge(brain),
-        },
-        Order::Stop => Answer::Done,
+        // Those are the desk's.
+        Order::Report | Order::Stop => REFUSED,
     }
 }
 

@@ -4,11 +4,39 @@
 //! What stands here serves the emulated board: its serial port is the emulator's standard input and
 //! output, it has no motors, and its program can end.
 
+use semihosting::experimental::random;
 use semihosting::io::{Read, Stdin, Stdout, Write, stdin, stdout};
 use semihosting::{eprintln, process};
 
-use crate::board::FileFlash;
-use crate::controller::{End, Heard, SafeStop, Wire};
+use crate::board::{FileFlash, Uptime};
+use crate::controller::{End, Heard, SafeStop, Service, Wire};
+use crate::link::{Life, Seal};
+
+/// Milliseconds that the robot may go on without an order: on a robot, as long as it may move blindly.
+pub const PATIENCE: u32 = 500;
+
+/// How orders are taken; `None` where nothing fresh can be had, without which an old session could
+/// be replayed.
+///
+/// On a robot: `fresh` from the part's source of chance, or a counter in flash that every reset raises;
+/// with the feature `authentic` a key of its own, from its flash.
+#[must_use]
+pub fn service() -> Option<Service> {
+    let mut fresh = [0; 8];
+    if random::fill_bytes(&mut fresh).is_err() {
+        eprintln!("the emulator gives no random bytes");
+        return None;
+    }
+    Some(Service {
+        fresh: u64::from_le_bytes(fresh),
+        patience: PATIENCE,
+        life: Life::UNBORN,
+        #[cfg(not(feature = "authentic"))]
+        seal: Seal::Checksum,
+        #[cfg(feature = "authentic")]
+        seal: Seal::Keyed(crate::link::Key::PUBLISHED),
+    })
+}
 
 /// The serial port.
 pub struct Serial {
@@ -31,7 +59,8 @@ impl Serial {
 }
 
 impl Wire for Serial {
-    /// On a robot: wait no longer than it may move without orders, then say [`Heard::Silence`].
+    /// On a robot: wait a few milliseconds at most, then say [`Heard::Pause`].
+    /// The emulator's standard input waits for ever, and its clock stands still meanwhile.
     fn hear(&mut self, bytes: &mut [u8]) -> Heard {
         match self.input.read(bytes) {
             Ok(0) | Err(_) => Heard::Gone,
@@ -44,10 +73,23 @@ impl Wire for Serial {
     }
 }
 
-/// The motors.
-pub struct Motors;
+/// The motors, and the clock of their safe stop.
+pub struct Motors(Uptime);
+
+impl Motors {
+    /// Starts the clock.
+    #[must_use]
+    pub fn start() -> Self {
+        Self(Uptime::start())
+    }
+}
 
 impl SafeStop for Motors {
+    /// On a robot: any timer that runs. The emulated board counts its instructions.
+    fn now(&mut self) -> u32 {
+        self.0.millis()
+    }
+
     /// On a robot: bring everything that moves to rest, whatever state the program is in.
     fn stop(&mut self) {
         eprintln!("motors stopped");

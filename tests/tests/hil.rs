@@ -1,13 +1,14 @@
 //! Brain in the loop: the brain in the emulated controller lives the host brain's life to the bit,
-//! and the wire's troubles are survived on both sides.
+//! and the wire's troubles are survived on both sides; without an emulator they are in `wire`.
 //!
 //! Needs qemu-system-arm and the target thumbv7em-none-eabihf; `tests/run` gets both.
 
 use std::path::PathBuf;
 use std::process::Command;
 
-use firmware_example::controller::{End, Heard, SafeStop, Wire, serve};
-use firmware_example::link::{Answer, Dropped, FRAME, Numbered, Order, Receiver, encode};
+use firmware_example::link::{
+    Answer, Call, Dropped, FRAME, Key, Life, Order, Receiver, Refusal, Seal, Turn, encode,
+};
 use host_sim::device::board::{Build, section_bytes};
 use host_sim::device::target::Target;
 use host_sim::experiment::hil::distant::Distant;
@@ -19,10 +20,22 @@ fn controller() -> PathBuf {
     build.build().unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn frame(number: u32, message: Order) -> Vec<u8> {
+/// The turn of the order that a brain was given last.
+fn last_turn(brain: &Distant) -> Turn {
+    let mut receiver = Receiver::new(Seal::Checksum);
+    let mut heard = brain.last_frame().iter();
+    match heard.find_map(|&byte| receiver.take::<Call>(byte)) {
+        Some(Ok(Call::Order { turn, .. })) => turn,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn frame(turn: Turn, order: Order) -> Vec<u8> {
     let mut frame = [0; FRAME];
-    let message = Numbered { number, message };
-    encode(&message, &mut frame).expect("it fits").to_vec()
+    let call = Call::Order { turn, order };
+    encode(&call, &Seal::Checksum, &mut frame)
+        .expect("it fits")
+        .to_vec()
 }
 
 #[test]
@@ -60,40 +73,127 @@ fn a_log_changes_nothing_of_the_life() {
 #[test]
 fn damaged_frames_are_dropped_and_counted_and_the_life_goes_on() {
     let mut brain = Distant::start(Target::M4f, &controller(), 5).expect("it starts");
+    let born = brain.last_frame().to_vec();
     let choose = |brain: &mut Distant| brain.ask(Order::Choose { now: 0 });
     let Ok(Answer::Chosen { .. }) = choose(&mut brain) else {
         panic!("a born brain chooses");
     };
-    let good = frame(3, Order::Learn { now: 4 });
+    let turn = last_turn(&brain);
+    let at = |number| Turn { number, ..turn };
+    let good = frame(at(turn.number + 1), Order::Learn { now: 4 });
     let truncated = [&good[..good.len() / 2], &[0]].concat();
     let mut corrupted = good.clone();
     corrupted[2] ^= 0x10;
     let oversized = [vec![7; 3 * FRAME], vec![0]].concat();
-    let replayed = frame(1, Order::Begin { seed: 6 });
-    let repeated = frame(2, Order::Choose { now: 0 });
-    let early = frame(9, Order::Act);
+    let longer = [&good[..good.len() - 1], &[1, 0]].concat();
+    let repeated = brain.last_frame().to_vec();
+    let early = frame(at(turn.number + 7), Order::Act);
+    let mut strange = turn;
+    strange.session.0 ^= 1;
+    let strange = frame(strange, Order::Act);
     for bytes in [
-        &truncated, &corrupted, &oversized, &replayed, &repeated, &early,
+        &truncated, &corrupted, &oversized, &longer, &born, &repeated, &early, &strange,
     ] {
         brain.send(bytes).expect("the wire holds");
     }
-    // Number 3 has not been followed yet: the brain still waits for what its choice led to.
+    // The third order has not been followed yet: the brain still waits for what its choice led to.
     let learned = brain.ask(Order::Learn { now: 4 });
     assert_eq!(learned.expect("it lives"), Answer::Done);
-    let Ok(Answer::Report { dropped, .. }) = brain.ask(Order::Report) else {
+    let Ok(Answer::Report {
+        dropped, expired, ..
+    }) = brain.ask(Order::Report)
+    else {
         panic!("it reports");
     };
     let expected = Dropped {
-        broken: 2,
+        broken: 3,
         oversized: 1,
         out_of_turn: 2,
         repeated: 1,
+        strange: 1,
     };
-    assert_eq!(dropped, expected);
+    assert_eq!((dropped, expired), (expected, 0));
     assert_eq!(
         brain.ask(Order::Learn { now: 4 }).expect("it lives"),
-        Answer::Refused
+        Answer::Refused(Refusal::NothingChosen)
     );
+}
+
+#[test]
+fn a_wire_full_of_anything_but_orders_stops_the_robot_and_what_was_chosen_is_forgotten() {
+    let mut brain = Distant::start(Target::M4f, &controller(), 5).expect("it starts");
+    let chosen = brain.ask(Order::Choose { now: 0 });
+    assert!(matches!(chosen, Ok(Answer::Chosen { .. })), "{chosen:?}");
+    let old = brain.last_frame().to_vec();
+    let mut noise = vec![0; 1_000_000];
+    noise[..500_000].fill(7);
+    brain.send(&noise).expect("the wire holds");
+    for _ in 0..500 {
+        brain.send(&old).expect("the wire holds");
+    }
+    let learned = brain.ask(Order::Learn { now: 4 }).expect("it lives");
+    assert_eq!(learned, Answer::Refused(Refusal::NothingChosen));
+    let Ok(Answer::Report { expired, .. }) = brain.ask(Order::Report) else {
+        panic!("it reports");
+    };
+    assert_eq!(expired, 1);
+    let chosen = brain.ask(Order::Choose { now: 0 });
+    assert!(matches!(chosen, Ok(Answer::Chosen { .. })), "{chosen:?}");
+}
+
+#[test]
+fn a_life_ends_only_when_it_is_named() {
+    let mut brain = Distant::start(Target::M4f, &controller(), 5).expect("it starts");
+    let mut begin = |ends, name| {
+        let order = Order::Begin {
+            seed: 6,
+            ends,
+            name,
+        };
+        brain.ask(order).expect("it lives")
+    };
+    let refused = Answer::Refused(Refusal::OtherLife);
+    assert_eq!(begin(Life::UNBORN, Life(2)), refused);
+    assert_eq!(begin(Life(2), Life(3)), refused);
+    assert_eq!(begin(Life(1), Life(1)), refused);
+    assert_eq!(begin(Life(1), Life(2)), Answer::Done);
+    assert_eq!(begin(Life(1), Life(3)), refused);
+}
+
+#[test]
+fn frames_with_a_key_are_understood_by_who_has_it() {
+    let build = Build {
+        features: "authentic",
+        ..Build::new(Target::M4f, "controller")
+    };
+    let program = build.build().unwrap_or_else(|error| panic!("{error}"));
+    let seal = Seal::Keyed(Key::PUBLISHED);
+    let mut brain = Distant::connect(Target::M4f, &program, seal).expect("it starts");
+    let (ends, name) = (Life::UNBORN, Life(1));
+    let born = brain.ask(Order::Begin {
+        seed: 5,
+        ends,
+        name,
+    });
+    assert_eq!(born.expect("it lives"), Answer::Done);
+    // The same words under a checksum, and under another key.
+    let turn = Turn {
+        number: 2,
+        ..Turn::NONE
+    };
+    let mut other = [0; FRAME];
+    let call = Call::Order {
+        turn,
+        order: Order::Act,
+    };
+    let other = encode(&call, &Seal::Keyed(Key([1; 16])), &mut other).expect("it fits");
+    for bytes in [frame(turn, Order::Act), other.to_vec()] {
+        brain.send(&bytes).expect("the wire holds");
+    }
+    let Ok(Answer::Report { dropped, .. }) = brain.ask(Order::Report) else {
+        panic!("it reports");
+    };
+    assert_eq!((dropped.broken, dropped.strange), (2, 0));
 }
 
 #[test]
@@ -101,7 +201,7 @@ fn a_host_that_vanishes_leaves_the_robot_in_a_safe_stop() {
     let brain = Distant::start(Target::M4f, &controller(), 5).expect("it starts");
     let (status, words) = brain.vanish();
     assert!(status.ends_with(": 3"), "{status}");
-    assert_eq!(words, "motors stopped\nthe host is gone");
+    assert_eq!(words, "motors stopped\nmotors stopped\nthe host is gone");
 }
 
 #[test]
@@ -116,114 +216,8 @@ fn the_host_says_how_the_firmware_died() {
         .expect_err("nobody is there")
         .to_string();
     assert!(
-        sentence.contains("the firmware died after 2 frames"),
+        sentence.contains("the firmware died after 2 orders"),
         "{sentence}"
     );
     assert!(sentence.contains("signal: 9"), "{sentence}");
-}
-
-/// A wire that delivers what was written down, and falls silent in between.
-struct Script {
-    heard: Vec<Option<Vec<u8>>>,
-    said: Vec<u8>,
-}
-
-impl Wire for Script {
-    fn hear(&mut self, bytes: &mut [u8]) -> Heard {
-        if self.heard.is_empty() {
-            return Heard::Gone;
-        }
-        let Some(next) = self.heard.remove(0) else {
-            return Heard::Silence;
-        };
-        bytes[..next.len()].copy_from_slice(&next);
-        Heard::Bytes(next.len())
-    }
-
-    fn say(&mut self, bytes: &[u8]) -> bool {
-        self.said.extend(bytes);
-        true
-    }
-}
-
-struct Motors(u32);
-
-impl SafeStop for Motors {
-    fn stop(&mut self) {
-        self.0 += 1;
-    }
-}
-
-fn served(heard: Vec<Option<Vec<u8>>>) -> (End, u32, Vec<Answer>) {
-    let mut brain = Box::new(cla_core::forager::small::brain());
-    let mut wire = Script {
-        heard,
-        said: Vec::new(),
-    };
-    let mut motors = Motors(0);
-    let end = serve(&mut brain, &mut wire, &mut motors);
-    let mut receiver = Receiver::new();
-    let answers = wire
-        .said
-        .iter()
-        .filter_map(|&byte| receiver.take::<Answer>(byte));
-    let answers = answers
-        .map(|it| it.expect("whole frames").message)
-        .collect();
-    (end, motors.0, answers)
-}
-
-#[test]
-fn every_silence_and_every_end_stops_the_motors() {
-    let begin = Some(frame(1, Order::Begin { seed: 1 }));
-    let stop = Some(frame(2, Order::Stop));
-    assert_eq!(
-        served(vec![begin.clone(), None, None]),
-        (End::HostGone, 3, vec![Answer::Done])
-    );
-    let told = served(vec![begin.clone(), stop.clone(), begin.clone()]);
-    assert_eq!(told, (End::Told, 1, vec![Answer::Done, Answer::Done]));
-}
-
-#[test]
-fn orders_out_of_turn_are_refused_by_a_brain_that_was_not_born() {
-    let orders = [
-        Order::Choose { now: 1 },
-        Order::Learn { now: 1 },
-        Order::Act,
-    ];
-    let frames = (1..)
-        .zip(orders)
-        .map(|(number, order)| Some(frame(number, order)));
-    let (_, _, answers) = served(frames.collect());
-    assert_eq!(answers, [Answer::Refused; 3]);
-}
-
-#[test]
-fn any_cut_and_any_flipped_bit_of_a_frame_is_noticed() {
-    let good = frame(
-        77,
-        Order::Observe {
-            before: 3,
-            action: 2,
-            after: 9,
-        },
-    );
-    let mut receiver = Receiver::new();
-    let mut heard = |bytes: &[u8]| {
-        bytes
-            .iter()
-            .filter_map(|&byte| receiver.take::<Order>(byte))
-            .collect::<Vec<_>>()
-    };
-    for bit in 0..8 * (good.len() - 1) {
-        let mut damaged = good.clone();
-        damaged[bit / 8] ^= 1 << (bit % 8);
-        assert!(heard(&damaged).iter().all(Result::is_err), "bit {bit}");
-    }
-    for length in 1..good.len() - 1 {
-        let cut = [&good[..length], &[0]].concat();
-        assert!(heard(&cut).iter().all(Result::is_err), "{length} bytes");
-    }
-    assert!(heard(&good)[0].is_ok());
 }

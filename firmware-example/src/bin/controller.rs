@@ -19,6 +19,8 @@ fn main() -> ! {
     // SAFETY: this runs once, and no interrupt touches the brain.
     #[allow(unsafe_code)]
     let brain = unsafe { &mut *brain };
-    let end = Serial::open().map(|mut serial| serve(brain, &mut serial, &mut Motors));
+    let end = Serial::open()
+        .zip(hal::service())
+        .map(|(mut serial, service)| serve(brain, &mut serial, &mut Motors::start(), service));
     hal::end(end)
 }

@@ -46,6 +46,29 @@ impl Counter {
     }
 }
 
+/// The time since its start, by the board's own clock; it uses what a [`Counter`] uses.
+pub struct Uptime {
+    clock: Clock,
+    nanos: u64,
+}
+
+impl Uptime {
+    /// Starts the clock.
+    #[must_use]
+    pub fn start() -> Self {
+        Self {
+            clock: Clock::start(),
+            nanos: 0,
+        }
+    }
+
+    /// Milliseconds since the start, modulo 2³²; to be asked at least every two minutes.
+    pub fn millis(&mut self) -> u32 {
+        self.nanos += u64::from(self.clock.lap()) * Clock::NANOS;
+        (self.nanos / 1_000_000) as u32
+    }
+}
+
 unsafe extern "C" {
     static mut __ebss: u32;
     static mut __sdata: u32;

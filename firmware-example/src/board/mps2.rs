@@ -11,6 +11,9 @@ pub(super) struct Clock {
 }
 
 impl Clock {
+    /// Nanoseconds of an instruction.
+    pub(super) const NANOS: u64 = 64;
+
     /// Starts the timer at its largest value; it counts down and wraps.
     pub(super) fn start() -> Self {
         // SAFETY: the registers of the board's timer, which nothing else in this program uses.

@@ -7,6 +7,9 @@ pub(super) struct Clock {
 }
 
 impl Clock {
+    /// Nanoseconds of an instruction.
+    pub(super) const NANOS: u64 = 1;
+
     pub(super) fn start() -> Self {
         Self { last: retired() }
     }

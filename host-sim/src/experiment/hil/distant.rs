@@ -1,9 +1,10 @@
 //! A brain in an emulated controller, asked over the wire: the host's end of it.
 //!
-//! Every question waits for its answer; one that stays away is asked again under the same number,
-//! which the other side answers without doing it twice.
+//! Every order waits for its answer; what is asked again, and when a session begins anew, is decided
+//! by [`Caller`].
 //! A controller that dies is noticed at once, with how it ended and its last words.
 
+use std::hash::{BuildHasher, RandomState};
 use std::io::{Read, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdin, Stdio};
@@ -13,7 +14,9 @@ use std::time::Duration;
 
 use cla_core::forager::pioneer::ITEMS;
 use cla_core::word::ItemSet;
-use firmware_example::link::{self, Answer, FRAME, Numbered, Order, encode};
+use firmware_example::link::{
+    self, ATTEMPTS, Answer, Call, Caller, FRAME, Life, News, Order, Outcome, Reply, Seal, encode,
+};
 use firmware_example::trace::to_bits;
 
 use crate::device::target::Target;
@@ -24,8 +27,6 @@ use crate::world::Percept;
 
 /// How long an answer may stay away before it is asked for again.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// How often a question is asked.
-const ATTEMPTS: u32 = 3;
 
 /// A controller in the emulator.
 pub struct Distant {
@@ -34,7 +35,9 @@ pub struct Distant {
     from: Receiver<Vec<u8>>,
     receiver: link::Receiver,
     waiting: Vec<u8>,
-    number: u32,
+    caller: Caller,
+    sent: Vec<u8>,
+    asked: u32,
     value: u32,
 }
 
@@ -44,18 +47,19 @@ impl Distant {
     /// # Errors
     /// [`Failure`] when there is no emulator, or the firmware does not answer.
     pub fn start(target: Target, program: &Path, seed: u64) -> Result<Self, Failure> {
-        let mut it = Self::connect(target, program)?;
-        match it.ask(Order::Begin { seed })? {
+        let mut it = Self::connect(target, program, Seal::Checksum)?;
+        let (ends, name) = (Life::UNBORN, Life(1));
+        match it.ask(Order::Begin { seed, ends, name })? {
             Answer::Done => Ok(it),
             other => Err(unexpected(other)),
         }
     }
 
-    /// Starts a program on a board.
+    /// Starts a program on a board, to speak with it in frames of this seal.
     ///
     /// # Errors
     /// [`Failure`] when there is no emulator.
-    pub fn connect(target: Target, program: &Path) -> Result<Self, Failure> {
+    pub fn connect(target: Target, program: &Path, seal: Seal) -> Result<Self, Failure> {
         let mut emulator = target.emulator(program);
         emulator
             .stdin(Stdio::piped())
@@ -80,33 +84,68 @@ impl Distant {
             child,
             to,
             from,
-            receiver: link::Receiver::new(),
+            receiver: link::Receiver::new(seal),
             waiting: Vec::new(),
-            number: 0,
+            // Names of handshakes, which no result hangs on.
+            caller: Caller::new(RandomState::new().hash_one(0)),
+            sent: Vec::new(),
+            asked: 0,
             value: 0,
         })
     }
 
     /// Asks, and waits for the answer.
     ///
+    /// Where the firmware has stopped the robot meanwhile, an order that was not followed is given
+    /// once more: the simulated world stands still, and what was sensed is still so.
+    ///
     /// # Errors
-    /// [`Failure`] when the firmware died or does not answer.
+    /// [`Failure`] when the firmware died, does not answer, or is not the one it was.
     pub fn ask(&mut self, order: Order) -> Result<Answer, Failure> {
-        self.number += 1;
-        let message = Numbered {
-            number: self.number,
-            message: order,
-        };
-        let mut frame = [0; FRAME];
-        let frame = encode(&message, &mut frame).ok_or("an order that does not fit a frame")?;
-        for _ in 0..ATTEMPTS {
-            self.send(frame)?;
-            if let Some(answer) = self.hear()? {
-                return Ok(answer);
-            }
+        self.asked += 1;
+        let mut call = self.caller.ask(order);
+        let mut again = ATTEMPTS;
+        loop {
+            self.say(call)?;
+            call = loop {
+                let news = match self.hear()? {
+                    Some(reply) => self.caller.hear(reply),
+                    None => self.caller.wait(),
+                };
+                match news {
+                    News::Nothing => {}
+                    News::Send(call) => break call,
+                    News::Answered(answer) => return Ok(answer),
+                    News::Interrupted(Outcome::Followed) if is_told(order) => {
+                        return Ok(Answer::Done);
+                    }
+                    News::Interrupted(Outcome::Followed | Outcome::NotFollowed) if again > 0 => {
+                        again -= 1;
+                        break self.caller.ask(order);
+                    }
+                    News::Interrupted(_) => {
+                        return Err("the firmware was reset, or obeys somebody else".into());
+                    }
+                    News::OtherVersion(version) => {
+                        return Err(format!("the firmware speaks version {version}").into());
+                    }
+                    News::Silent => {
+                        let seconds = (PATIENCE * ATTEMPTS).as_secs();
+                        let sentence =
+                            format!("the firmware has not answered for {seconds} seconds");
+                        return Err(sentence.into());
+                    }
+                }
+            };
         }
-        let seconds = (PATIENCE * ATTEMPTS).as_secs();
-        Err(format!("the firmware has not answered for {seconds} seconds").into())
+    }
+
+    fn say(&mut self, call: Call) -> Result<(), Failure> {
+        let mut frame = [0; FRAME];
+        let frame = encode(&call, self.receiver.seal(), &mut frame);
+        let frame = frame.ok_or("a call that does not fit a frame")?;
+        self.sent = frame.to_vec();
+        self.send(frame)
     }
 
     /// Sends bytes as they are: what a noisy wire would deliver.
@@ -121,14 +160,18 @@ impl Distant {
         sent.map_err(|_| self.obituary())
     }
 
-    /// The answer to the present number; `None` when it stays away. Older answers are passed over.
-    fn hear(&mut self) -> Result<Option<Answer>, Failure> {
+    /// The frame that was sent last.
+    #[must_use]
+    pub fn last_frame(&self) -> &[u8] {
+        &self.sent
+    }
+
+    /// The next reply; `None` when it stays away. What is broken is passed over.
+    fn hear(&mut self) -> Result<Option<Reply>, Failure> {
         loop {
             while let Some(byte) = self.waiting.pop() {
-                if let Some(Ok(answer)) = self.receiver.take::<Answer>(byte)
-                    && answer.number == self.number
-                {
-                    return Ok(Some(answer.message));
+                if let Some(Ok(reply)) = self.receiver.take::<Reply>(byte) {
+                    return Ok(Some(reply));
                 }
             }
             match self.from.recv_timeout(PATIENCE) {
@@ -147,8 +190,8 @@ impl Distant {
         self.to = None;
         let (status, words) = self.last_words();
         format!(
-            "the firmware died after {} frames: {status}; its last words: {words:?}",
-            self.number
+            "the firmware died after {} orders: {status}; its last words: {words:?}",
+            self.asked
         )
         .into()
     }
@@ -180,10 +223,10 @@ impl Distant {
         self.child.id()
     }
 
-    /// Questions asked so far, each answered.
+    /// Orders given so far, each answered.
     #[must_use]
     pub const fn round_trips(&self) -> u32 {
-        self.number
+        self.asked
     }
 
     /// The bits of the value that decided the last choice.
@@ -257,6 +300,11 @@ fn bits(now: &Percept) -> Result<u8, Failure> {
         // A sensor that says nothing must not reach the brain as one that says off.
         Err("a percept with unknown items does not go over the wire".into())
     }
+}
+
+/// Whether the answer to an order says nothing but that it was followed.
+fn is_told(order: Order) -> bool {
+    !matches!(order, Order::Choose { .. } | Order::Report | Order::Stop)
 }
 
 fn unexpected(answer: Answer) -> Failure {

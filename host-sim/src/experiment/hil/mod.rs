@@ -1,9 +1,11 @@
 //! Brain in the loop: the simulated robot lives, the brain in an emulated controller decides.
 //!
-//! `distant` is the wire to that brain, `trial` a life with it and with the host's beside it.
+//! `distant` is the wire to that brain, `trial` a life with it and with the host's beside it;
+//! `disturbed` is the wire alone, with everything that can happen to it.
 
 pub mod claims;
 pub mod distant;
+pub mod disturbed;
 mod options;
 mod tables;
 pub mod trial;
