@@ -88,6 +88,11 @@ impl Heard {
         Self(self.0 & !(1 << voice as u8))
     }
 
+    /// Those of it that are also in another.
+    pub(super) const fn among(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
     pub(super) const fn bits(self) -> u8 {
         self.0
     }
@@ -199,12 +204,19 @@ pub struct MindConfig {
     pub habit_rate_doubting: f32,
     /// Which voices may lead.
     pub heard: Heard,
+    /// The same in a doubt; as ever where none of them may lead at all.
+    pub heard_doubting: Heard,
     /// Discount of the model, in `[0, 1)`.
     pub model_discount: f32,
     /// Trials that a count of the model remembers, above 1.
     pub remembered: f32,
     /// The same in a doubt.
     pub remembered_doubting: f32,
+    /// Trials that a doubt leaves of what each action led to in a state, at least 0; all of them where
+    /// it is not below [`remembered`](Self::remembered).
+    pub trials_doubting: f32,
+    /// Actions that a doubt lasts, at least 1.
+    pub doubt_lasts: u16,
     /// Whether it doubts when rewards stay away.
     pub doubting: Doubting,
     /// Trials that what is known of a percept alone weighs against what is known of the last step, above
@@ -239,9 +251,12 @@ impl MindConfig {
         burst: 10,
         habit_rate_doubting: 0.1,
         heard: Heard::DEFAULT,
+        heard_doubting: Heard::DEFAULT,
         model_discount: 0.97,
         remembered: 100.0,
         remembered_doubting: 15.0,
+        trials_doubting: 100.0,
+        doubt_lasts: 800,
         doubting: Doubting::WhenRewardsStayAway,
         prior: 10.0,
         felt: 0.1,
@@ -285,9 +300,14 @@ impl Config for MindConfig {
         trials.check("MindConfig::remembered_doubting", self.remembered_doubting)?;
         // What was never done in a state of which nothing else is known is worth 0 of 0 trials.
         Range::ABOVE_ZERO.check("MindConfig::prior", self.prior)?;
+        Range::NOT_NEGATIVE.check("MindConfig::trials_doubting", self.trials_doubting)?;
+        let lasts = f32::from(self.doubt_lasts);
+        Range::AT_LEAST_ONE.check("MindConfig::doubt_lasts", lasts)?;
         Range::AT_LEAST_ONE.check("MindConfig::block", f32::from(self.block))?;
         Range::AT_LEAST_ONE.check("MindConfig::patience", f32::from(self.patience))?;
-        Range::AT_LEAST_ONE.check("MindConfig::heard", f32::from(self.heard.bits()))
+        Range::AT_LEAST_ONE.check("MindConfig::heard", f32::from(self.heard.bits()))?;
+        let doubting = f32::from(self.heard_doubting.bits());
+        Range::AT_LEAST_ONE.check("MindConfig::heard_doubting", doubting)
     }
 }
 
@@ -306,6 +326,9 @@ pub(super) const NO_CONFIG: MindConfig = MindConfig {
     kept_doubting: 0.0,
     habit_rate_doubting: 0.0,
     remembered_doubting: 0.0,
+    trials_doubting: 0.0,
+    doubt_lasts: 0,
+    heard_doubting: Heard::NOBODY,
     doubting: Doubting::Never,
     block: 0,
     trying: 0.0,
@@ -329,8 +352,8 @@ stored_codes!(Doubting {
 stored! {
     impl[] MindConfig {
         exploring, exploring_acting, discount, lambda, habit_discount, habit_lambda, habit_rate,
-        replayed, replay_rate, replay_rate_doubting, kept_doubting, block, trying, trying_acting, patience, burst, habit_rate_doubting, heard, model_discount,
-        remembered, remembered_doubting, doubting, prior, felt, spread, work
+        replayed, replay_rate, replay_rate_doubting, kept_doubting, block, trying, trying_acting, patience, burst, habit_rate_doubting, heard, heard_doubting, model_discount,
+        remembered, remembered_doubting, trials_doubting, doubt_lasts, doubting, prior, felt, spread, work
     }
     sound |it, _limits| it.check().is_ok()
 }

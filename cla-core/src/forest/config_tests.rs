@@ -35,6 +35,9 @@ fn every_number_that_cannot_work_is_named() {
         bad(|it| it.block = 0),
         bad(|it| it.patience = 0),
         bad(|it| it.heard = Heard::NOBODY),
+        bad(|it| it.heard_doubting = Heard::NOBODY),
+        bad(|it| it.trials_doubting = -0.5),
+        bad(|it| it.doubt_lasts = 0),
     ];
     let named = [
         "exploring",
@@ -59,6 +62,9 @@ fn every_number_that_cannot_work_is_named() {
         "block",
         "patience",
         "heard",
+        "heard_doubting",
+        "trials_doubting",
+        "doubt_lasts",
     ];
     for (field, name) in fields.into_iter().zip(named) {
         assert_eq!(field.strip_prefix("MindConfig::"), Some(name));

@@ -1,8 +1,8 @@
 //! Doubt: when rewards stay away for much longer than they used to, the world has changed.
 //!
 //! A sum of what is missing rings; for some time after it recent experience counts for more (habits
-//! learn faster, the model forgets faster), and what was lived before weighs little in the leaves of
-//! the trees, whose questions stay.
+//! learn faster, the model forgets faster and, where so configured, its counts weigh few trials), and what
+//! was lived before weighs little in the leaves of the trees, whose questions stay.
 
 use crate::snapshot::stored;
 
@@ -10,8 +10,6 @@ use crate::snapshot::stored;
 const ASKED: f32 = 0.65;
 /// So many rewards must be missing.
 const MISSING: f32 = 8.0;
-/// Actions that a doubt lasts.
-const LASTS: u16 = 800;
 /// Actions over which the usual rate is averaged, and before which nothing is usual.
 const LONG: f32 = 3000.0;
 const EARLY: u16 = 500;
@@ -46,8 +44,8 @@ impl Doubt {
         self.alarms
     }
 
-    /// An action was rewarded or not; answers whether the alarm rings.
-    pub(super) fn notice(&mut self, rewarded: bool) -> bool {
+    /// An action was rewarded or not; answers whether the alarm rings, for a doubt of `lasts` actions.
+    pub(super) fn notice(&mut self, rewarded: bool, lasts: u16) -> bool {
         let got = if rewarded { 1.0 } else { 0.0 };
         self.acted = self.acted.saturating_add(1);
         self.usual += (got - self.usual) / f32::from(self.acted).min(LONG);
@@ -63,7 +61,7 @@ impl Doubt {
             return false;
         }
         self.missing = 0.0;
-        self.left = LASTS;
+        self.left = lasts;
         self.alarms = self.alarms.wrapping_add(1);
         true
     }

@@ -27,9 +27,6 @@ const VOICES: usize = Voice::ALL.len();
 /// The share of taken rows above which tables are crowded.
 const CROWDED: f32 = 0.5;
 
-/// Random actions that follow each other where there is a reason: plans undo a single one at once.
-const STROLL: u16 = 20;
-
 /// Values that fade in the time of a unit.
 const FADED_AT_ONCE: u32 = 6;
 
@@ -339,44 +336,16 @@ impl<
         if !R::THERE && heard != Heard::only(Voice::Plans) {
             heard = heard.without(Voice::Plans);
         }
+        let doubting = heard.among(self.config.heard_doubting);
+        if self.doubt.lasts() && doubting != Heard::NOBODY {
+            heard = doubting;
+        }
         let heard = heard.bits();
         let leader = self
             .voices
             .lead(self.config.block, trying, heard, &mut self.rng);
         let voice = Voice::ALL.get(usize::from(leader)).copied();
         voice.unwrap_or(Voice::TreesAndHabits)
-    }
-
-    /// Whether it does anything at all, and why.
-    fn restless(&mut self) -> Option<Motive> {
-        if self.is_lost() {
-            return Some(Motive::Chance);
-        }
-        if self.stroll > 0 {
-            self.stroll -= 1;
-            return Some(Motive::Chance);
-        }
-        let share = match self.age {
-            Age::Acting => self.config.exploring_acting,
-            _ => self.config.exploring,
-        };
-        let stroll = if R::THERE { STROLL } else { 1 };
-        if self.rng.chance(setting_out(share, stroll)) {
-            self.stroll = stroll - 1;
-            return Some(Motive::Chance);
-        }
-        if self.burst == 0 && self.earned > 0 {
-            let patience = (8.0 * self.wait).max(f32::from(self.config.patience));
-            if f32::from(self.since) >= patience {
-                self.burst = self.config.burst;
-                self.since = 0;
-            }
-        }
-        if self.burst > 0 {
-            self.burst -= 1;
-            return Some(Motive::Escape);
-        }
-        None
     }
 
     pub(super) fn moment(&self, now: &ItemStates<WORDS>) -> Moment<WORDS> {
@@ -443,11 +412,15 @@ impl<
         self.runs.count(now);
         self.notice(reward);
         let mut budget = WorkBudget::of(self.config.work);
-        if self.config.doubting == Doubting::WhenRewardsStayAway && self.doubt.notice(reward > 0.0)
-        {
+        let doubts = self.config.doubting == Doubting::WhenRewardsStayAway;
+        if doubts && self.doubt.notice(reward > 0.0, self.config.doubt_lasts) {
             self.forest.doubt();
             self.habits.fade(self.config.kept_doubting);
             budget.spend((ROWS * ACTIONS) as u32 / FADED_AT_ONCE);
+            let trials = self.config.trials_doubting;
+            if trials < self.config.remembered {
+                budget.spend(self.model.doubt(trials));
+            }
         }
         let after = self.runs.believed(now);
         self.reason
@@ -602,13 +575,6 @@ impl<
         self.last = action;
         self.said = Said::NOTHING;
     }
-}
-
-/// The chance to set out for a stroll when none is under way, so that this share of all actions is
-/// of strolls of such a length.
-fn setting_out(share: f32, length: u16) -> f32 {
-    let length = f32::from(length);
-    share / (length * (1.0 - share) + share)
 }
 
 fn halves<const ACTIONS: usize>(one: [f32; ACTIONS], other: [f32; ACTIONS]) -> [f32; ACTIONS] {

@@ -282,17 +282,79 @@ fn it_escapes_only_where_something_was_earned_before() {
     assert_eq!(escapes(false), 0);
 }
 
-#[test]
-fn a_share_of_random_actions_is_a_share_of_all() {
-    for (share, length) in [(0.1, 1), (0.1, 20), (0.5, 20), (1.0, 20), (0.0, 20)] {
-        let begun = super::setting_out(share, length);
-        assert!((0.0..=1.0).contains(&begun));
-        // A stroll begins after so many other actions that may begin one.
-        let length = f32::from(length);
-        let random = length * begun;
-        let all = random + 1.0 - begun;
-        assert!((random / all - share).abs() < 1e-6, "{share} {length}");
+/// A life in which rewards come for so long and then stay away until it doubts; the mind at that moment.
+fn doubting(config: MindConfig) -> std::boxed::Box<Small> {
+    let mut mind = born(&[], 7);
+    mind.be_born(config, [0.0; 8], 7).unwrap();
+    for step in 0..3_000 {
+        let choice = mind.choose(&at(0)).unwrap();
+        let brings = step < 1_000 && choice.action == ActionId(1);
+        mind.learn_with(&at(0), f32::from(u8::from(brings)))
+            .unwrap();
+        if mind.doubts() {
+            return mind;
+        }
     }
+    panic!("it never doubts");
+}
+
+#[test]
+fn in_a_doubt_those_lead_who_may_lead_then() {
+    let after = |heard, heard_doubting| {
+        let mut mind = doubting(MindConfig {
+            heard,
+            heard_doubting,
+            doubt_lasts: 700,
+            ..MindConfig::DEFAULT
+        });
+        assert_eq!(mind.alarms(), 1);
+        let (mut led, mut actions) = (std::vec::Vec::new(), 0);
+        while mind.doubts() {
+            let choice = mind.choose(&at(0)).unwrap();
+            if let Motive::Voice(voice) = choice.motive
+                && !led.contains(&voice)
+            {
+                led.push(voice);
+            }
+            mind.learn_with(&at(0), 0.0).unwrap();
+            actions += 1;
+        }
+        assert_eq!(actions, 700);
+        led
+    };
+    let habits = Heard::only(Voice::Habits);
+    assert_eq!(after(Heard::DEFAULT, habits), [Voice::Habits]);
+    assert!(after(Heard::DEFAULT, Heard::DEFAULT).len() > 1);
+    // Who may never lead does not lead in a doubt either.
+    let trees = Heard::only(Voice::Trees);
+    assert_eq!(after(trees, habits), [Voice::Trees]);
+}
+
+#[test]
+fn an_alarm_fades_habits_and_what_the_model_counted() {
+    // What a voice says some actions after the alarm.
+    let said = |voice, change: fn(&mut MindConfig)| {
+        let mut config = MindConfig {
+            heard: Heard::only(voice),
+            exploring: 0.0,
+            patience: u16::MAX,
+            replayed: 0,
+            ..MindConfig::DEFAULT
+        };
+        change(&mut config);
+        let mut mind = doubting(config);
+        for _ in 0..10 {
+            mind.choose(&at(0)).unwrap();
+            mind.learn(&at(0)).unwrap();
+        }
+        mind.choose(&at(0)).unwrap().value
+    };
+    let keeps = said(Voice::Habits, |it| it.kept_doubting = 1.0);
+    let fades = said(Voice::Habits, |it| it.kept_doubting = 0.0);
+    assert!(keeps > 1.0 && fades < 0.5 * keeps, "{keeps} {fades}");
+    let sure = said(Voice::Model, |it| it.trials_doubting = 1.0e6);
+    let unsure = said(Voice::Model, |it| it.trials_doubting = 0.0);
+    assert!(unsure < 0.75 * sure, "{sure} {unsure}");
 }
 
 #[test]

@@ -6,8 +6,9 @@
 //! matter (`relevance`).
 //! Habits learn at once from what was felt (`sarsa`) and again from what is remembered (`replay`); a
 //! model counts what follows what (`model`).
-//! Voices lead in turn (`voices`); senses that got stuck are not believed (`runs`); when rewards stay
-//! away new experience counts for more (`doubt`); the whole is a [`Mind`] (`config`, `mind`).
+//! Voices lead in turn (`voices`), and now and then anything is tried (`restless`); senses that got stuck
+//! are not believed (`runs`); when rewards stay away new experience counts for more (`doubt`); the whole
+//! is a [`Mind`] (`config`, `mind`).
 //! Where it has a reason, schemas with results and plans are a voice among the others, goals are pursued,
 //! and a choice is explained (`goals`).
 //! It stands on words, `num` and `reason`, and knows nothing of maps.
@@ -29,6 +30,7 @@ mod moment;
 mod rates;
 mod relevance;
 mod replay;
+mod restless;
 mod runs;
 mod sarsa;
 mod step;

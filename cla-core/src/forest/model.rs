@@ -12,6 +12,9 @@ use crate::snapshot::{LARGEST_COUNT, stored};
 const PROBES: u32 = 8;
 /// A link that is followed less often than this among its like is given up.
 const FAINT: f32 = 0.01;
+/// Chains that a doubt begins, and links that it passes, in the time of a unit.
+const HEADS_AT_ONCE: u32 = 4;
+const LINKS_AT_ONCE: u32 = 3;
 /// No link, or no row.
 const NONE: u16 = 0;
 
@@ -442,6 +445,35 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
             };
         }
         units
+    }
+
+    /// What was counted may be of another world: it weighs no more than so many trials of an action
+    /// in a state; answers the units.
+    pub(super) fn doubt(&mut self, trials: f32) -> u32 {
+        // Every link is in one chain at most, and is passed twice.
+        let mut left = 2 * LINKS;
+        for at in 0..STATES {
+            let Some(row) = self.rows.get(at) else { break };
+            for first in row.links {
+                let (mut sum, mut place) = (0.0, first);
+                while let Some(link) = self.link(place).filter(|_| left > 0) {
+                    sum += link.weight;
+                    place = link.next;
+                    left -= 1;
+                }
+                if sum <= trials {
+                    continue;
+                }
+                let kept = trials / sum;
+                place = first;
+                while let Some(link) = self.link_mut(place).filter(|_| left > 0) {
+                    link.weight *= kept;
+                    place = link.next;
+                    left -= 1;
+                }
+            }
+        }
+        (STATES * ACTIONS) as u32 / HEADS_AT_ONCE + (2 * LINKS) as u32 / LINKS_AT_ONCE
     }
 
     /// Brings values up to date, one state after the other, for about so many units.

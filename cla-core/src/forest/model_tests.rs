@@ -167,3 +167,35 @@ fn spreading_stops_at_its_units() {
     assert!((50..60).contains(&done), "{done}");
     assert!(model.spread(0, &RATES) == 0);
 }
+
+#[test]
+fn in_a_doubt_one_trial_of_the_new_weighs_what_all_the_old_do() {
+    let lived = |doubts: bool| {
+        let mut model = Small::new();
+        for _ in 0..200 {
+            model.learn(state(0), 0, 1.0, None, &RATES);
+            model.learn(state(0), 0, 1.0, Some(state(1)), &RATES);
+            model.learn(state(0), 1, -1.0, None, &RATES);
+        }
+        if doubts {
+            let units = model.doubt(1.0);
+            // Two actions of 64 states, and 128 links twice.
+            assert_eq!(units, 64 * 2 / 4 + 2 * 128 / 3);
+        }
+        let before = model.values(state(0));
+        model.learn(state(0), 0, 0.0, Some(state(2)), &RATES);
+        (before, model.values(state(0)))
+    };
+    let ((before, sure), (same, doubting)) = (lived(false), lived(true));
+    // What is believed stays, until something is lived.
+    assert_eq!(before, same);
+    assert!(sure[0] > 0.9, "{sure:?}");
+    assert!((0.3..0.6).contains(&doubting[0]), "{doubting:?}");
+    assert!(doubting[1] < 0.0, "{doubting:?}");
+    // Few trials are not made more.
+    let mut model = Small::new();
+    model.learn(state(0), 0, 1.0, None, &RATES);
+    model.doubt(3.0);
+    model.learn(state(0), 0, 0.0, Some(state(2)), &RATES);
+    assert!((0.3..0.6).contains(&model.values(state(0))[0]));
+}

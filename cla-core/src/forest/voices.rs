@@ -50,10 +50,12 @@ impl<const VOICES: usize> Voices<VOICES> {
         )
     }
 
-    /// The voice that leads the next action; when a block is over the best leads the next one, or
-    /// with the chance `other` any.
+    /// The voice that leads the next action; when a block is over, or its leader is not heard any
+    /// more, the best leads the next one, or with the chance `other` any.
     pub(super) fn lead(&mut self, block: u16, other: f32, heard: u8, rng: &mut Rng) -> u8 {
-        if self.left == 0 {
+        // A leader that there is not, after a bit turned, is heard by nobody.
+        let led = heard.checked_shr(u32::from(self.leader)).unwrap_or(0) & 1 == 1;
+        if self.left == 0 || !led {
             self.judge();
             self.leader = if rng.chance(other) {
                 let mut drawn = rng.below(heard.count_ones());

@@ -62,3 +62,25 @@ fn who_is_not_heard_never_leads() {
     assert!(voices.record(2).1 > voices.record(0).1);
     assert_eq!(voices.record(1).1, 0);
 }
+
+#[test]
+fn who_is_not_heard_any_more_stops_at_once_and_is_judged_for_what_was_lived() {
+    let (mut voices, mut rng) = (Voices::<3>::new(), Rng::new(4));
+    for _ in 0..20 {
+        assert_eq!(voices.lead(50, 0.0, 0b111, &mut rng), 0);
+        voices.gather(1.0);
+    }
+    assert_eq!(voices.lead(50, 0.0, 0b100, &mut rng), 2);
+    let (earned, blocks) = voices.record(0);
+    // Each reward counts for the actions before it, too.
+    assert!(blocks == 1 && (9.0..11.0).contains(&earned), "{earned}");
+    // Its own block is whole, whoever is heard again meanwhile.
+    for _ in 1..50 {
+        voices.gather(0.0);
+        assert_eq!(voices.lead(50, 0.0, 0b111, &mut rng), 2);
+    }
+    voices.gather(0.0);
+    assert_eq!(voices.record(2).1, 0);
+    assert_eq!(voices.lead(50, 0.0, 0b111, &mut rng), 1);
+    assert_eq!(voices.record(2).1, 1);
+}
