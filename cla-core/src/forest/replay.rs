@@ -3,8 +3,8 @@
 //! A stretch of the memory is gone through from its last sample to its first, so that what was felt
 //! at its end reaches its beginning at once; what was felt and the best that is known of the next
 //! moment are mixed as in Q(λ) (Peng and Williams 1996).
-//! After a doubt every replay ends in what was lived since, as soon as there is some; it goes on into
-//! what was before where that is less than a stretch back.
+//! After a doubt every replay ends in what was lived since, as soon as there is some, and goes no
+//! farther back than that.
 
 use super::memory::Memory;
 use super::sarsa::{Replaying, Sarsa, Scene};
@@ -56,7 +56,12 @@ pub(super) fn replay<
     // What was felt from the next moment on.
     let mut felt: Option<f32> = None;
     let mut units = 0;
+    // What was lived since a doubt begins where that doubt began.
+    let is_recent = memory.is_recent(at);
     for _ in 0..samples {
+        if is_recent && !memory.is_recent(at) {
+            break;
+        }
         let Some(sample) = memory.get(at) else {
             break;
         };

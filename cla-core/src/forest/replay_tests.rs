@@ -148,3 +148,35 @@ fn what_fades_keeps_its_share_whatever_it_is_a_value_of() {
     let kept = worth(&habits, &memory, 4)[1];
     assert!((kept - 0.3 * known).abs() < 1e-5, "{known} {kept}");
 }
+
+#[test]
+fn after_a_doubt_no_replay_goes_back_into_what_was_before() {
+    let learned = |doubts: bool| {
+        let (mut habits, mut memory) = (born(), Samples::new());
+        for place in 0..3 {
+            memory.push(Sample::new(&at(place), 1, 0.0));
+        }
+        if doubts {
+            memory.doubt();
+        }
+        for place in 3..6 {
+            memory.push(Sample::new(&at(place), 0, 1.0));
+        }
+        let units = replay(&mut habits, &memory, &all(), 4, 5, &HOW);
+        (
+            units,
+            worth(&habits, &memory, 2)[1],
+            worth(&habits, &memory, 3)[0],
+        )
+    };
+    let ((all_of_it, old, _), (new, nothing, known)) = (learned(false), learned(true));
+    assert!(old > 0.0 && new < all_of_it, "{old} {new} {all_of_it}");
+    assert_eq!(nothing, 0.0);
+    assert!(known > 0.1, "{known}");
+    // One that ends before the doubt goes back as ever.
+    let (mut habits, mut memory) = (born(), walked(1.0));
+    memory.doubt();
+    memory.push(Sample::new(&at(7), 0, 0.0));
+    replay(&mut habits, &memory, &all(), 4, 5, &HOW);
+    assert!(worth(&habits, &memory, 0)[1] > 0.05);
+}
