@@ -2,10 +2,13 @@
 
 use cla_core::forest::{Mind, MindConfig};
 use cla_core::num::Rng;
-use cla_core::snapshot::{self, LoadError, Names, SliceSink};
+use cla_core::reason::{Pursuit, Reason, Reasoning};
+use cla_core::snapshot::{self, LoadError, Names, SliceSink, Snapshot};
+use cla_core::word::SignedItems;
 use cla_core::{ActionId, ItemId, Percept};
 
 type Small = Mind<1, 6, 3, 16, 12, 32, 48, 160>;
+type Thinking = Mind<1, 6, 3, 16, 12, 32, 48, 160, Reason<1, 6, 3, 16, 32, 32>>;
 
 /// A corridor of five places with a lamp at one end; `closed`, the way to it is blocked.
 #[derive(Clone)]
@@ -24,7 +27,11 @@ impl Corridor {
     }
 
     /// Lives for so many actions; a fingerprint of all that was chosen and earned.
-    fn live(&mut self, mind: &mut Small, actions: u32) -> u64 {
+    fn live<R: Reasoning<1, 6, 3>>(
+        &mut self,
+        mind: &mut Mind<1, 6, 3, 16, 12, 32, 48, 160, R>,
+        actions: u32,
+    ) -> u64 {
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         for step in 0..actions {
             let choice = mind.choose(&self.sense()).unwrap();
@@ -52,7 +59,7 @@ impl Corridor {
     }
 }
 
-fn image(mind: &Small) -> Vec<u8> {
+fn image<B: Snapshot>(mind: &B) -> Vec<u8> {
     let mut image = vec![0; 1 << 18];
     let mut sink = SliceSink::new(&mut image);
     let length = snapshot::save(mind, Names::UNKNOWN, &mut sink).unwrap();
@@ -60,7 +67,7 @@ fn image(mind: &Small) -> Vec<u8> {
     image
 }
 
-fn load(mind: &mut Small, image: &[u8]) -> Result<u32, LoadError<snapshot::SourceEnd>> {
+fn load<B: Snapshot>(mind: &mut B, image: &[u8]) -> Result<u32, LoadError<snapshot::SourceEnd>> {
     snapshot::load(mind, Names::UNKNOWN, &mut &*image)
 }
 
@@ -89,18 +96,18 @@ fn a_mind_goes_on_to_the_bit_from_training_from_acting_and_from_a_doubt() {
             world.live(&mut mind, actions - 2000);
             doubted += u32::from(mind.doubts());
         }
-        let saved = image(&mind);
+        let saved = image(&*mind);
         let (mut other, mut elsewhere) = born(77);
         elsewhere.live(&mut other, 900);
-        assert_ne!(image(&other), saved);
-        assert_eq!(load(&mut other, &saved), Ok(saved.len() as u32));
-        assert_eq!(image(&other), saved);
+        assert_ne!(image(&*other), saved);
+        assert_eq!(load(&mut *other, &saved), Ok(saved.len() as u32));
+        assert_eq!(image(&*other), saved);
         let mut there = world.clone();
         for hundred in 0..20 {
             let (here, away) = (world.live(&mut mind, 100), there.live(&mut other, 100));
             assert_eq!(here, away, "{actions} and {hundred} hundred");
         }
-        assert_eq!(image(&mind), image(&other));
+        assert_eq!(image(&*mind), image(&*other));
     }
     assert!(doubted > 0);
 }
@@ -109,10 +116,10 @@ fn a_mind_goes_on_to_the_bit_from_training_from_acting_and_from_a_doubt() {
 fn a_damaged_image_of_a_mind_is_refused_and_the_living_one_stays() {
     let (mut learned, mut world) = born(3);
     world.live(&mut learned, 2000);
-    let whole = image(&learned);
+    let whole = image(&*learned);
     let (mut mind, mut world) = born(4);
     world.live(&mut mind, 100);
-    let before = image(&mind);
+    let before = image(&*mind);
     let mut rng = Rng::new(6);
     for _ in 0..2000 {
         let mut damaged = whole.clone();
@@ -121,12 +128,68 @@ fn a_damaged_image_of_a_mind_is_refused_and_the_living_one_stays() {
             damaged[bit / 8] ^= 1 << (bit % 8);
         }
         if damaged != whole {
-            assert!(load(&mut mind, &damaged).is_err());
+            assert!(load(&mut *mind, &damaged).is_err());
         }
     }
     for _ in 0..500 {
         let length = rng.below(whole.len() as u32) as usize;
-        assert_eq!(load(&mut mind, &whole[..length]), Err(LoadError::Truncated));
+        assert_eq!(
+            load(&mut *mind, &whole[..length]),
+            Err(LoadError::Truncated)
+        );
     }
-    assert_eq!(image(&mind), before);
+    assert_eq!(image(&*mind), before);
+}
+
+fn thinking(seed: u64) -> (Box<Thinking>, Corridor) {
+    let (_, corridor) = born(seed);
+    let mut mind = Box::new(Thinking::unborn());
+    let values = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    mind.be_born(MindConfig::DEFAULT, values, seed).unwrap();
+    (mind, corridor)
+}
+
+/// The goal of standing at one place.
+fn place(item: u16) -> SignedItems<1> {
+    let mut goal = SignedItems::EMPTY;
+    goal.insert(ItemId(item), true).unwrap();
+    goal
+}
+
+#[test]
+fn a_mind_that_reasons_goes_on_to_the_bit_also_with_a_goal_before_it() {
+    let mut underway = 0;
+    for actions in [1, 30, 57, 300, 640, 1500] {
+        let (mut mind, mut world) = thinking(3);
+        world.live(&mut mind, actions);
+        if actions % 2 == 0 {
+            mind.pursue(place(actions as u16 / 10 % 4), 200, &world.sense())
+                .unwrap();
+            world.live(&mut mind, 3);
+        }
+        underway += u32::from(mind.pursuit().is_underway());
+        let saved = image(&*mind);
+        let (mut other, mut elsewhere) = thinking(77);
+        elsewhere.live(&mut other, 900);
+        assert_ne!(image(&*other), saved);
+        assert_eq!(load(&mut *other, &saved), Ok(saved.len() as u32));
+        assert_eq!(image(&*other), saved);
+        assert_eq!(other.pursuit(), mind.pursuit());
+        let mut there = world.clone();
+        for hundred in 0..15 {
+            let (here, away) = (world.live(&mut mind, 100), there.live(&mut other, 100));
+            assert_eq!(here, away, "{actions} and {hundred} hundred");
+            assert_eq!(other.pursuit(), mind.pursuit());
+        }
+        assert_eq!(image(&*mind), image(&*other));
+        assert_ne!(mind.pursuit(), Pursuit::Underway { left: 0 });
+    }
+    assert!(underway > 0);
+    // One without a reason is another brain, and says what differs.
+    let (mind, _) = thinking(3);
+    let (mut plain, _) = born(3);
+    let refused = load(&mut *plain, &image(&*mind)).unwrap_err().to_string();
+    let sentence =
+        "the image is of a brain with 16 remembered samples of an action, and this one has 0";
+    assert_eq!(refused, sentence);
 }

@@ -4,7 +4,7 @@ use super::Mind;
 use crate::forest::MindConfig;
 use crate::num::Rng;
 use crate::reason::Reason;
-use crate::snapshot::{Audit, Names, SaveError, SliceSink, Snapshot, faults, save};
+use crate::snapshot::{Audit, Names, SaveError, Scrub, SliceSink, Snapshot, faults, save};
 use crate::word::{ActionId, ItemId, ItemStates, SignedItems};
 use std::boxed::Box;
 use std::format;
@@ -168,4 +168,29 @@ fn bits_that_turn_and_are_not_looked_for_end_no_life() {
             mind.contexts(ActionId(2), |_, _| {});
         }
     }
+}
+
+#[test]
+fn a_bit_that_turns_between_two_ticks_is_turned_back_and_the_life_is_what_it_would_have_been() {
+    let ((mut hit, mut here), (mut whole, mut there)) = (learned!(Thinking), learned!(Thinking));
+    let mut scrub = Scrub::<128>::new();
+    let mut rng = Rng::new(12);
+    let (mut mended, mut kept) = (0, 0);
+    for tick in 0..1000 {
+        scrub.seal(&*hit).unwrap();
+        let bits = faults::bits(&mut *hit);
+        let before = hit.clone();
+        faults::flip(&mut *hit, rng.below(bits));
+        match scrub.check(&mut *hit) {
+            Some(Audit::Mended(1)) => mended += 1,
+            // A bit that its place cannot hold.
+            Some(Audit::Sound) => kept += 1,
+            // The length of a table, or whether something is there.
+            Some(Audit::Lost(_)) => hit = before,
+            other => panic!("tick {tick}: {other:?}"),
+        }
+        assert_eq!(live!(here, hit, 1), live!(there, whole, 1), "{tick}");
+    }
+    assert!(image(&*hit) == image(&*whole));
+    assert!(mended > 900 && mended + kept > 980, "{mended}, {kept}");
 }

@@ -92,6 +92,9 @@ pub fn length<B: Snapshot>(brain: &B) -> Result<u32, SaveError<Infallible>> {
 /// to be written; the sink gets pieces of at most 64 bytes, in order.
 /// Answers the bytes of the image.
 ///
+/// A brain that is too large for the stack is copied in this way, too: saved, and loaded into another
+/// that was born in its place; `clone` goes over the stack.
+///
 /// ```
 /// use cla_core::forager::small;
 /// use cla_core::{AgentConfig, snapshot};
