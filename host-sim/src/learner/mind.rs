@@ -62,6 +62,11 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Minded<WORDS,
     pub const fn mind(&self) -> &Brain<WORDS, ITEMS, ACTIONS> {
         &self.mind
     }
+
+    /// The mind, to be hit or mended.
+    pub const fn mind_mut(&mut self) -> &mut Brain<WORDS, ITEMS, ACTIONS> {
+        &mut self.mind
+    }
 }
 
 impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Learner

@@ -63,6 +63,11 @@ impl<A> Native<A> {
     pub const fn brain(&self) -> &A {
         &self.brain
     }
+
+    /// The brain, to be hit or mended.
+    pub const fn brain_mut(&mut self) -> &mut A {
+        &mut self.brain
+    }
 }
 
 impl<

@@ -2,6 +2,7 @@
 
 mod bit_flip;
 mod long_life;
+mod ram_flips;
 mod resume;
 
 use super::part::Part;
@@ -10,4 +11,4 @@ use super::part::Part;
 pub(super) const ALL: &[Part] = &[bit_flip::PART, resume::PART];
 
 /// Those whose claims are not committed yet: they are run only when they are named.
-pub(super) const UNCLAIMED: &[Part] = &[long_life::PART];
+pub(super) const UNCLAIMED: &[Part] = &[long_life::PART, ram_flips::PART];
