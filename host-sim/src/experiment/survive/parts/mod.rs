@@ -1,7 +1,9 @@
 //! The parts, in the order in which they are run and reported.
 
 mod bit_flip;
+mod kill;
 mod long_life;
+mod power_cut;
 mod ram_flips;
 mod resume;
 
@@ -11,4 +13,9 @@ use super::part::Part;
 pub(super) const ALL: &[Part] = &[bit_flip::PART, resume::PART];
 
 /// Those whose claims are not committed yet: they are run only when they are named.
-pub(super) const UNCLAIMED: &[Part] = &[long_life::PART, ram_flips::PART];
+pub(super) const UNCLAIMED: &[Part] = &[
+    long_life::PART,
+    ram_flips::PART,
+    power_cut::PART,
+    kill::PART,
+];

@@ -1,0 +1,89 @@
+//! Power that goes at every operation of saving into flash, within it, and again while the brain is
+//! brought back.
+
+use super::super::part::{Part, Scale, never, tried};
+use crate::device::flash::cuts::{Cuts, History, cut_everywhere};
+use crate::device::flash::toy::ages;
+use crate::experiment::measured::{Trial, of};
+use crate::failure::Failure;
+use crate::report::Claim;
+
+/// The part.
+pub(crate) const PART: Part = Part {
+    name: "power_cut",
+    measure,
+    claims,
+    ..Part::QUICK
+};
+
+/// Saves in a row, on each shape of flash.
+const SAVES: u32 = 3;
+
+fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
+    let ages = ages(5)?;
+    let mut cuts = Cuts::default();
+    for corrects_errors in [false, true] {
+        let history = History {
+            saves: scale.of(SAVES) as usize,
+            seed: 2 * seed + u64::from(corrects_errors),
+            corrects_errors,
+            again_after: 7,
+        };
+        // Bytes of a word, of a page, slots.
+        cuts.add(&cut_everywhere::<1, 64, 2>(&ages, history)?);
+        cuts.add(&cut_everywhere::<4, 4096, 2>(&ages, history)?);
+        cuts.add(&cut_everywhere::<8, 512, 3>(&ages, history)?);
+        cuts.add(&cut_everywhere::<16, 256, 4>(&ages, history)?);
+        cuts.add(&cut_everywhere::<32, 1024, 2>(&ages, history)?);
+        cuts.add(&cut_everywhere::<256, 4096, 2>(&ages, history)?);
+    }
+    for (name, number) in [
+        ("points", cuts.points),
+        ("again", cuts.again),
+        ("lost", cuts.lost),
+        ("wrong", cuts.wrong),
+        ("regressed", cuts.regressed),
+        ("refused", cuts.refused),
+        ("violations", cuts.violations),
+        ("sealed_anew", cuts.sealed_anew),
+    ] {
+        trial.note(format!("power_cut.{name}"), number as u32);
+    }
+    Ok(())
+}
+
+fn claims(trials: &[Trial]) -> Vec<Claim> {
+    let of = |name: &str| of(trials, &format!("power_cut.{name}"));
+    vec![
+        never(
+            "power_cut",
+            "generations",
+            "generations that a save had answered for and that were not there after the cut",
+            &of("lost"),
+        ),
+        never(
+            "power_cut.wrong",
+            "brains",
+            "brains that were resumed and are not what was saved",
+            &of("wrong"),
+        ),
+        never(
+            "power_cut.regressed",
+            "generations",
+            "generations that were resumed once and were not there at the next reset",
+            &of("regressed"),
+        ),
+        never(
+            "power_cut.refused",
+            "saves",
+            "saves after a recovery that failed, and words written twice",
+            &sums(&of("refused"), &of("violations")),
+        ),
+        tried("power_cut.points", "cuts", 100_000.0, &of("points")),
+        tried("power_cut.again", "cuts", 30_000.0, &of("again")),
+    ]
+}
+
+fn sums(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + b).collect()
+}
