@@ -165,7 +165,6 @@ fn a_mind_that_reasons_goes_on_to_the_bit_also_with_a_goal_before_it() {
         if actions % 2 == 0 {
             mind.pursue(place(actions as u16 / 10 % 4), 200, &world.sense())
                 .unwrap();
-            world.live(&mut mind, 3);
         }
         underway += u32::from(mind.pursuit().is_underway());
         let saved = image(&*mind);

@@ -207,34 +207,6 @@ fn whatever_bit_turns_what_audit_calls_sound_or_mended_can_be_saved_and_lives_on
 }
 
 #[test]
-fn bits_that_turn_and_are_not_looked_for_end_no_life() {
-    let (whole, ring) = learned(true);
-    for life in 0..60 {
-        let mut brain = whole.clone();
-        let mut ring = Ring {
-            rng: ring.rng.clone(),
-            place: ring.place,
-        };
-        let mut rng = Rng::new(life);
-        for _ in 0..300 {
-            let bits = faults::bits(&mut *brain);
-            faults::flip(&mut *brain, rng.below(bits));
-            let Ok(choice) = brain.choose(&ring.sense()) else {
-                break;
-            };
-            if choice.action.0 >= 3 {
-                // An action that there is not is for the robot to refuse.
-                continue;
-            }
-            ring.place = rng.below(4) as u16;
-            if brain.learn(&ring.sense()).is_err() {
-                break;
-            }
-        }
-    }
-}
-
-#[test]
 fn a_map_of_bytes_whose_rounding_stands_still_goes_on() {
     type Bytes = Agent<1, 5, 5, 4, 3, 24, 64, 0, 0, ByteSom<5, 4, 5>>;
     let mut brain = Box::new(Bytes::zeroed());

@@ -144,7 +144,7 @@ fn whatever_bit_turns_a_mind_that_was_looked_through_can_be_saved_and_lives_on()
 
 #[test]
 fn and_so_can_one_that_reasons() {
-    bits_turn!(Thinking, 61);
+    bits_turn!(Thinking, 59);
 }
 
 #[test]
