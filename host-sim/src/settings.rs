@@ -198,6 +198,7 @@ pub fn take(tree: &mut Value, key: &str) -> Result<Value, Impossible> {
 /// assert_eq!(base, json!({"alpha": 0.2, "escape": {"after": 50, "burst": 10}}));
 /// overlay(&mut base, &full, &json!({"escape": "none"}), "agent")?;
 /// assert!(base["escape"].is_null());
+/// overlay(&mut base, &full, &json!({"escape": null}), "agent")?;
 /// let wrong = overlay(&mut base, &full, &json!({"alhpa": 1}), "agent").unwrap_err();
 /// assert_eq!(wrong.to_string(), "agent has no setting \"alhpa\": did you mean agent.alpha?");
 /// # Ok::<(), host_sim::failure::Impossible>(())
@@ -209,7 +210,8 @@ pub fn overlay(
     path: &str,
 ) -> Result<(), Impossible> {
     let is_part = full.is_object();
-    if given == NONE && (is_part || base.is_null()) {
+    // In JSON what is missing is also null.
+    if (given == NONE || given.is_null()) && (is_part || base.is_null()) {
         *base = Value::Null;
         return Ok(());
     }

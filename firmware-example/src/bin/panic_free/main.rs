@@ -9,6 +9,7 @@
 
 #[macro_use]
 mod proof;
+mod kept;
 
 use core::fmt::Write;
 use core::hint::black_box;
@@ -36,10 +37,13 @@ use cla_core::level2::*;
 use cla_core::map::*;
 use cla_core::num::{Neighbourhood, Rng, Schedule, ScheduleError, exp, ln, sqrt};
 use cla_core::reason::{Prospects, Pursuit, Reason as Faculty, Way};
-use cla_core::snapshot::{self, LoadError, Names, SaveError, SinkFull, SliceSink, SourceEnd};
+use cla_core::snapshot::{
+    self, Audit, LoadError, Names, SaveError, Scrub, SinkFull, SliceSink, SourceEnd,
+};
 use cla_core::som::*;
 use cla_core::word::*;
 use embedded_storage::nor_flash::NorFlashErrorKind;
+use kept::crab;
 
 type Agent6 = Brain;
 type Binary = BinarySom<20, 20, 7>;
@@ -256,6 +260,12 @@ entries! {
         let _ = write!(to, "{a} {b} {c}");
     }
     "audit" (brain: &mut Agent6, to: &mut Nowhere) { let _ = write!(to, "{}", brain.audit()); }
+    "audit_part" (brain: &mut Agent6, mind: &mut Forest, part: usize) -> Audit { kept::audit_in_parts(brain, mind, part) }
+    "scrub" (brain: &mut Agent6, it: &mut Scrub<256>) -> bool { kept::sealed(brain, it).is_ok() }
+    "save_knowledge" (brain: &Agent6, mind: &Forest, to: &mut SliceSink<'_>) -> bool { kept::known(brain, mind, to).is_ok() }
+    "load_knowledge" (it: &mut Agent6, mind: &mut Forest, from: &mut &[u8]) -> bool { kept::taken(it, mind, from).is_ok() }
+    "mind_asked" (mind: &Forest, item: ItemId) -> bool { kept::asked(mind, item).2 }
+    "in_words" (brain: &mut crab::Brain, now: &crab::Percept) -> Option<crab::Action> { kept::in_words(brain, now) }
     "load_bytes" (it: &mut small::Brain, from: &mut &[u8]) -> Result<u32, LoadError<SourceEnd>> { snapshot::load(it, Names::of(&["a"], &["b"]), from) }
     "say_snapshot" (a: &SaveError<SinkFull>, b: &LoadError<SourceEnd>, to: &mut Nowhere) { let _ = write!(to, "{a}{b}"); }
 

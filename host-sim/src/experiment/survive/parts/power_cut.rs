@@ -17,7 +17,7 @@ pub(crate) const PART: Part = Part {
 };
 
 /// Saves in a row, on each shape of flash.
-const SAVES: u32 = 3;
+const SAVES: u32 = 6;
 
 fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
     let ages = ages(5)?;
