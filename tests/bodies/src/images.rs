@@ -1,0 +1,147 @@
+//! Any bytes as an image, and images that lie under right checksums.
+
+use cla_core::agent::{Agent, AgentConfig, Audit};
+use cla_core::forest::MindConfig;
+use cla_core::snapshot::{self, Names, Snapshot};
+use cla_core::som::Prototypes;
+use cla_core::word::ItemStates;
+
+use super::agents::Growing;
+use super::robots::{Mite, bytes, floats};
+
+/// Bytes of the header, and of a section's number and length.
+const HEADER: usize = 80;
+
+/// The image of a brain.
+fn image<B: Snapshot>(brain: &B) -> Vec<u8> {
+    let mut image = Vec::new();
+    snapshot::save(brain, Names::UNKNOWN, &mut Growing(&mut image)).expect("it was born");
+    image
+}
+
+/// A percept that changes from step to step.
+fn percept(step: u32) -> ItemStates<1> {
+    let mut now = ItemStates::all_off(3);
+    for item in 0..3 {
+        let on = (step * 5 + step / 3) >> item & 1 == 1;
+        now.set(cla_core::word::ItemId(item), Some(on))
+            .expect("there are three items");
+    }
+    now
+}
+
+/// The input itself, or the good image with the bytes that the input says, under right checksums.
+fn written(good: &[u8], input: &[u8]) -> Vec<u8> {
+    let Some((kind, rest)) = input.split_first() else {
+        return Vec::new();
+    };
+    if *kind % 8 == 0 {
+        return rest.to_vec();
+    }
+    let mut image = good.to_vec();
+    for change in rest.as_chunks::<3>().0 {
+        let place = usize::from(u16::from_le_bytes([change[0], change[1]])) % image.len();
+        image[place] = change[2];
+    }
+    if *kind % 8 > 1 {
+        seal(&mut image);
+    }
+    image
+}
+
+/// Makes the checksums right: of sections as far as lengths can be followed, and of the whole.
+fn seal(image: &mut [u8]) {
+    let of_sections = crc::Crc::<u32>::new(&crc::CRC_32_ISCSI);
+    let end = image.len() - 4;
+    let sum = of_sections.checksum(&image[..HEADER - 4]);
+    image[HEADER - 4..HEADER].copy_from_slice(&sum.to_le_bytes());
+    let mut at = HEADER;
+    while at + 6 < end {
+        let length = [image[at + 2], image[at + 3], image[at + 4], image[at + 5]];
+        let length = u32::from_le_bytes(length) as usize;
+        let Some(to) = (at + 6).checked_add(length).filter(|to| to + 4 <= end) else {
+            break;
+        };
+        let sum = of_sections.checksum(&image[at..to]);
+        image[to..to + 4].copy_from_slice(&sum.to_le_bytes());
+        at = to + 4;
+    }
+    let sum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(&image[..end]);
+    image[end..].copy_from_slice(&sum.to_le_bytes());
+}
+
+fn agent_of<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+    M,
+>(
+    mut brain: Agent<1, 3, W, H, 2, P, S, Y, B, M>,
+    input: &[u8],
+) where
+    M: Prototypes<W, H> + snapshot::Stored,
+{
+    let live = |brain: &mut Agent<1, 3, W, H, 2, P, S, Y, B, M>| {
+        for step in 0..60 {
+            let choice = brain.choose(&percept(step)).expect("it was born");
+            assert!(choice.value.is_finite());
+            brain.learn(&percept(step + 1)).expect("it has chosen");
+        }
+    };
+    let config = AgentConfig {
+        harvest_every: 20,
+        ..AgentConfig::RESILIENT_LEVEL2
+    };
+    brain
+        .be_born(config, &[(cla_core::word::ItemId(2), 10.0)], 3)
+        .expect("it can work");
+    live(&mut brain);
+    let good = image(&brain);
+    let other = written(&good, input);
+    match snapshot::load(&mut brain, Names::UNKNOWN, &mut &*other) {
+        Ok(length) => {
+            assert_eq!(brain.audit(), Audit::Sound);
+            assert_eq!(image(&brain), other[..length as usize]);
+            live(&mut brain);
+            assert_eq!(brain.audit(), Audit::Sound);
+        }
+        Err(_) => assert_eq!(image(&brain), good),
+    }
+}
+
+/// Images of the book's learner, with maps of floats and of bytes.
+pub(super) fn agent(input: &[u8]) {
+    match input.first() {
+        Some(first) if first / 8 % 2 == 0 => agent_of(floats::brain(), input),
+        _ => agent_of(bytes::brain(), input),
+    }
+}
+
+/// Images of the one learner.
+pub(super) fn mind(input: &[u8]) {
+    let mut mind = Mite::new();
+    let live = |mind: &mut Mite| {
+        for step in 0..60 {
+            let choice = mind.choose(&percept(step)).expect("it was born");
+            assert!(choice.value.is_finite());
+            mind.learn(&percept(step + 1)).expect("it has chosen");
+        }
+    };
+    mind.be_born(MindConfig::DEFAULT, [0.0, -1.0, 5.0], 3)
+        .expect("it can work");
+    live(&mut mind);
+    let good = image(&mind);
+    let other = written(&good, input);
+    match snapshot::load(&mut mind, Names::UNKNOWN, &mut &*other) {
+        Ok(length) => {
+            assert_eq!(mind.audit(), Audit::Sound);
+            assert_eq!(image(&mind), other[..length as usize]);
+            live(&mut mind);
+            assert_eq!(mind.audit(), Audit::Sound);
+        }
+        Err(_) => assert_eq!(image(&mind), good),
+    }
+}
