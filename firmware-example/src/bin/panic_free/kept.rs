@@ -6,7 +6,11 @@ use cla_core::snapshot::{
 };
 use cla_core::snapshot::{load_knowledge, save_knowledge};
 
-use super::{Agent6, Forest, ItemId, VOCABULARY};
+use cla_core::forager::pioneer::{Brain as Agent6, VOCABULARY};
+use cla_core::forest;
+use cla_core::word::ItemId;
+
+type Forest = forest::Mind<1, 7, 6, 448, 200, 512, 512, 2048>;
 
 cla_core::brain! {
     /// A robot with everything that a description can have.

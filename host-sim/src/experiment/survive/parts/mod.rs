@@ -10,12 +10,13 @@ mod resume;
 use super::part::Part;
 
 /// All whose claims are declared, and stand in the committed results.
-pub(super) const ALL: &[Part] = &[bit_flip::PART, resume::PART];
-
-/// Those whose claims are not committed yet: they are run only when they are named.
-pub(super) const UNCLAIMED: &[Part] = &[
-    long_life::PART,
-    ram_flips::PART,
+pub(super) const ALL: &[Part] = &[
+    bit_flip::PART,
+    resume::PART,
     power_cut::PART,
     kill::PART,
+    ram_flips::PART,
 ];
+
+/// Those whose claims are not committed yet: they are run only when they are named.
+pub(super) const UNCLAIMED: &[Part] = &[long_life::PART];
