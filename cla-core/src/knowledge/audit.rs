@@ -43,7 +43,6 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     /// `actions` is how many the robot has.
     /// Goes once through each table.
     pub(crate) fn audit(&mut self, actions: u16) -> u32 {
-        let patterns = self.patterns.len();
         let mut mended = self.drop_unsound(actions);
         for pattern in &mut self.patterns {
             if !(0.0..=LARGEST).contains(&pattern.value) {
@@ -61,8 +60,10 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             self.discount = 0.0;
             mended += 1;
         }
-        self.drop_unused_patterns();
-        mended += (patterns - self.patterns.len()) as u32;
+        // Patterns that no schema needs are no fault: schemas may have been forgotten.
+        if mended > 0 {
+            self.drop_unused_patterns();
+        }
         self.rebuild();
         mended
     }

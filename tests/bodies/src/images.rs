@@ -19,6 +19,22 @@ fn image<B: Snapshot>(brain: &B) -> Vec<u8> {
     image
 }
 
+/// Whether a brain can live on that was taken from an image with other bytes under right checksums.
+/// An audit asks more than an image, and mends or names what it finds; what it is then is kept and
+/// comes back as it is.
+fn settled<B: Snapshot>(brain: &mut B, audit: impl Fn(&mut B) -> Audit) -> bool {
+    match audit(brain) {
+        Audit::Lost(_) => return false,
+        Audit::Mended(_) => assert_eq!(audit(brain), Audit::Sound),
+        Audit::Sound => {}
+    }
+    let kept = image(brain);
+    let again = snapshot::load(brain, Names::UNKNOWN, &mut &*kept);
+    assert_eq!(again, Ok(kept.len() as u32));
+    assert_eq!(image(brain), kept);
+    true
+}
+
 /// A percept that changes from step to step.
 fn percept(step: u32) -> ItemStates<1> {
     let mut now = ItemStates::all_off(3);
@@ -102,14 +118,10 @@ fn agent_of<
     let good = image(&brain);
     let other = written(&good, input);
     match snapshot::load(&mut brain, Names::UNKNOWN, &mut &*other) {
-        Ok(length) => {
-            // An image does not ask whether all that has a value is marked so; an audit does.
-            let found = brain.audit();
-            if found == Audit::Lost("what is worth having") {
+        Ok(_) => {
+            if !settled(&mut brain, Agent::audit) {
                 return;
             }
-            assert_eq!(found, Audit::Sound);
-            assert_eq!(image(&brain), other[..length as usize]);
             live(&mut brain);
             assert_eq!(brain.audit(), Audit::Sound);
         }
@@ -141,10 +153,13 @@ pub(super) fn mind(input: &[u8]) {
     let good = image(&mind);
     let other = written(&good, input);
     match snapshot::load(&mut mind, Names::UNKNOWN, &mut &*other) {
-        Ok(length) => {
-            assert_eq!(mind.audit(), Audit::Sound);
-            assert_eq!(image(&mind), other[..length as usize]);
+        Ok(_) => {
+            if !settled(&mut mind, Mite::audit) {
+                return;
+            }
             live(&mut mind);
+            // Values that were possible may have grown past what an audit takes for one.
+            assert!(!matches!(mind.audit(), Audit::Lost(_)));
             assert_eq!(mind.audit(), Audit::Sound);
         }
         Err(_) => assert_eq!(image(&mind), good),
