@@ -27,7 +27,12 @@ const DAMAGES: [&str; 6] = [
 ];
 
 fn ways() -> [(&'static str, MindConfig); 5] {
-    let plain = MindConfig::DEFAULT;
+    let plain = MindConfig {
+        heard_doubting: Heard::DEFAULT,
+        trials_doubting: 100.0,
+        doubt_lasts: 800,
+        ..MindConfig::DEFAULT
+    };
     let few = MindConfig {
         trials_doubting: 1.0,
         ..plain
@@ -45,11 +50,11 @@ fn ways() -> [(&'static str, MindConfig); 5] {
         ..both
     };
     [
-        ("as it is", plain),
+        ("all voices for 800 actions", plain),
         ("the model's counts weigh one trial", few),
         ("habits lead", habits),
         ("both", both),
-        ("both, for 1600 actions", long),
+        ("as it is: both, for 1600 actions", long),
     ]
 }
 
