@@ -132,7 +132,7 @@ pub enum Order {
         /// What the sensors say.
         now: u8,
     },
-    /// Learn what the action led to that was chosen in this session.
+    /// Learn what the action led to that was chosen before, in the order's own session.
     Learn {
         /// What the sensors say.
         now: u8,
@@ -188,7 +188,7 @@ pub enum Answer {
 pub enum Refusal {
     /// The brain cannot do that: it is not born, or there is no such action.
     Brain,
-    /// Nothing was chosen in this session that could be learned from: a stop came between.
+    /// Nothing was chosen in the order's session that could be learned from: a stop came between.
     NothingChosen,
     /// Another life would end than the one that was named, or the new name is none.
     OtherLife,
