@@ -1,13 +1,14 @@
 //! The emulated boards: building the firmware for one, running it, reading what it prints.
 //!
 //! Builds take turns: cargo writes every variant of a program to the same place, so each is copied
-//! away before the next begins.
+//! away before the next begins. A copy takes its place at once, by its name: an emulator that still
+//! reads the one before keeps it.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
-use std::{env, fs};
+use std::{env, fs, io, process};
 
 use object::{Object, ObjectSection};
 
@@ -93,9 +94,10 @@ impl Build {
             self.opt_level,
             self.entry,
         ];
-        let copy = target.join("programs").join(name.join("+"));
-        fs::create_dir_all(target.join("programs"))?;
-        fs::copy(built, &copy)?;
+        let programs = target.join("programs");
+        fs::create_dir_all(&programs)?;
+        let copy = programs.join(name.join("+"));
+        put(&built, &copy)?;
         Ok(copy)
     }
 
@@ -122,6 +124,14 @@ impl Build {
             .into())
         }
     }
+}
+
+/// Copies a program over another, which those who have it open keep as it was.
+fn put(program: &Path, place: &Path) -> io::Result<()> {
+    let mut beside = place.as_os_str().to_owned();
+    beside.push(format!(".{}", process::id()));
+    fs::copy(program, &beside)?;
+    fs::rename(beside, place)
 }
 
 /// What a program printed: lines of names and numbers.
@@ -265,9 +275,30 @@ fn cargo(folder: &Path) -> Command {
 
 #[cfg(test)]
 mod tests {
+    use std::io::Read;
     use std::path::Path;
+    use std::{env, fs, process};
 
-    use super::{Printed, firmware_above, folder};
+    use super::{Printed, firmware_above, folder, put};
+
+    #[test]
+    fn a_program_that_is_being_read_is_not_written_over() {
+        let place = env::temp_dir().join(format!("cla-programs-{}", process::id()));
+        fs::create_dir_all(&place).unwrap();
+        let (built, copy) = (place.join("built"), place.join("copy"));
+        for letter in ["first", "next"] {
+            fs::write(&built, letter).unwrap();
+            put(&built, &copy).unwrap();
+            let mut open = fs::File::open(&copy).unwrap();
+            fs::write(&built, "other").unwrap();
+            put(&built, &copy).unwrap();
+            let mut read = String::new();
+            open.read_to_string(&mut read).unwrap();
+            assert_eq!(read, letter);
+            assert_eq!(fs::read_to_string(&copy).unwrap(), "other");
+        }
+        fs::remove_dir_all(place).unwrap();
+    }
 
     #[test]
     fn the_firmware_is_that_of_the_checkout_that_the_program_lies_in() {
