@@ -19,11 +19,12 @@ mod words;
 ///   values: before it the brain refuses to choose and to learn;
 /// - `RAM`, the bytes that it costs, all of them in `.bss`.
 ///
-/// The keys may stand in any order: `items`, `actions`, `values` (negative for harm), `samples`, `ram`,
-/// and `imagines` for a brain that plans: so many states it imagines at once, with schemas that foresee
-/// them ([`Reason`](crate::reason::Reason)), and it can [`pursue`](crate::forest::Mind::pursue) a goal;
-/// it cannot be saved yet; and `safe` names the action for when the brain cannot choose
-/// (`SAFE`, `choose_or_safe`).
+/// The keys may stand in any order: `items`, `actions`, `values` (negative for harm), `samples`, `ram`;
+/// `states` for how many situations it tells apart, where a fourteenth of the samples is not enough
+/// ([`health`](crate::forest::Mind::health) says so); `imagines` for a brain that plans: so many states it
+/// imagines at once, with schemas that foresee them ([`Reason`](crate::reason::Reason)), and it can
+/// [`pursue`](crate::forest::Mind::pursue) a goal; it cannot be saved yet; and `safe` names the action for
+/// when the brain cannot choose (`SAFE`, `choose_or_safe`).
 /// A key that is missing is named, one that is unknown or stands twice is pointed at, and so is a
 /// value of something that is no item.
 ///
@@ -158,67 +159,73 @@ macro_rules! brain {
     (@keys $head:tt [$($seen:ident)*] $places:tt $key:ident: $($rest:tt)*) => {
         $crate::brain! { @key $head [$($seen)* $key] $places $key: $($rest)* }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] items: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [{$($new)+} $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] actions: [$($new:ident),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 {$($new)+} $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] values: [$($new:ident = $value:expr),+ $(,)?] $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 {$($new = $value,)+} $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] maps: $width:literal x $height:literal $(of $weights:ident)? $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 {$width, $height $(, $weights)?} $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] patterns: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 {$new} $s5 $s6 $s7 $s8 $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] schemas: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 {$new} $s6 $s7 $s8 $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8 $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] synthetic: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 {$new} $s7 $s8 $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8 $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] beliefs: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 {$new} $s8 $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new} $s9 $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] ram: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 {$new} $s9 $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] samples: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 {$new} $s10 $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] samples: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 {$new} $s10 $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] imagines: $new:expr $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 {$new} $s11] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] imagines: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 {$new} $s11 $s12] $($($rest)*)? }
     };
-    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt] safe: $new:ident $(, $($rest:tt)*)?) => {
-        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 {$new}] $($($rest)*)? }
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] safe: $new:ident $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 {$new} $s12] $($($rest)*)? }
     };
-    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt]) => {
+    (@key $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt] states: $new:expr $(, $($rest:tt)*)?) => {
+        $crate::brain! { @keys $head $seen [$s0 $s1 $s2 $s3 $s4 $s5 $s6 $s7 $s8 $s9 $s10 $s11 {$new}] $($($rest)*)? }
+    };
+    (@keys $head:tt $seen:tt [{} $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt]) => {
         compile_error!("brain!: a key is missing: `items: [light, at_lamp]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt {} $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt]) => {
         compile_error!("brain!: a key is missing: `actions: [left, right]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt {} $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt $s9:tt $s10:tt $s11:tt $s12:tt]) => {
         compile_error!("brain!: a key is missing: `values: [at_lamp = 10.0]`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt $s12:tt]) => {
         compile_error!("brain!: a key is missing: `samples: 1_024`, or for the book's learner `maps: 6 x 6`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt {} $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt $s12:tt]) => {
         compile_error!("brain!: a key is missing: `patterns: 32`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt {} $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt $s12:tt]) => {
         compile_error!("brain!: a key is missing: `schemas: 128`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {} $s9:tt $s10:tt $s11:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt {} $s9:tt $s10:tt $s11:tt $s12:tt]) => {
         compile_error!("brain!: a key is missing: `ram: 12_000`");
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} {} {} {} {} $s8:tt {$samples:expr} $s10:tt $s11:tt]) => {
-        $crate::brain_with_a_mind! { $head $seen $s0 $s1 $s2 $s8 {$samples} $s10 $s11 }
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt {} {} {} {} {} $s8:tt {$samples:expr} $s10:tt $s11:tt $s12:tt]) => {
+        $crate::brain_with_a_mind! { $head $seen $s0 $s1 $s2 $s8 {$samples} $s10 $s11 $s12 }
     };
-    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {$samples:expr} $s10:tt $s11:tt]) => {
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {} $s10:tt $s11:tt {$states:expr}]) => {
+        compile_error!("brain!: `states` is for the one learner, beside `samples`");
+    };
+    (@keys $head:tt $seen:tt [$s0:tt $s1:tt $s2:tt $s3:tt $s4:tt $s5:tt $s6:tt $s7:tt $s8:tt {$samples:expr} $s10:tt $s11:tt $s12:tt]) => {
         compile_error!("brain!: `samples` is for the one learner; `maps`, `patterns`, `schemas`, `synthetic` and `beliefs` are for the book's");
     };
     (
@@ -227,7 +234,7 @@ macro_rules! brain {
             { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
             { $width:literal, $height:literal $(, $weights:ident)? }
             { $patterns:expr } { $schemas:expr } { $($synthetic:expr)? } { $($beliefs:expr)? }
-            { $ram:expr } {} {} { $($safe:ident)? }
+            { $ram:expr } {} {} { $($safe:ident)? } {}
         ]
     ) => {
         $(#[$meta])*
@@ -296,7 +303,7 @@ macro_rules! brain {
         $visibility:vis mod $name:ident { $($keys:tt)* }
     ) => {
         $crate::brain! {
-            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {} {} {} {}] $($keys)*
+            @keys { $(#[$meta])* $visibility mod $name } [] [{} {} {} {} {} {} {} {} {} {} {} {} {}] $($keys)*
         }
     };
 }

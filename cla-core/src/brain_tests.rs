@@ -62,6 +62,26 @@ crate::brain! {
     }
 }
 
+crate::brain! {
+    /// One that tells more situations apart than it remembers.
+    #[allow(dead_code, unreachable_pub)]
+    mod two {
+        items: [earth, gold], actions: [dig, leave], values: [gold = 1.0],
+        states: 200, samples: 100, ram: 40_000,
+    }
+}
+
+#[test]
+fn states_say_how_many_situations_are_told_apart() {
+    type Expected = crate::forest::Mind<1, 2, 2, 7, 4, 200, 200, 800>;
+    let _: &Expected = &two::brain();
+    let mut brain = two::brain();
+    two::be_born(&mut brain, crate::MindConfig::DEFAULT, 1).unwrap();
+    brain.revalue(two::Item::earth, -1.0).unwrap();
+    assert_eq!(brain.value(two::Item::earth.id()), -1.0);
+    assert!(!brain.health().cramped);
+}
+
 #[test]
 fn samples_make_the_one_learner_with_capacities_in_proportion() {
     assert_eq!(one::VALUES, [0.0, 1.0, -2.5]);

@@ -55,4 +55,6 @@ pub mod word;
 pub use agent::{Adaptation, Agent, AgentConfig, AgentError, Choice, Lesson, Level, Reason, Stage};
 pub use check::ConfigError;
 pub use forest::{Mind, MindConfig};
-pub use word::{ActionId, ItemId, ItemStates as Percept, SchemaText, Threshold, Vocabulary};
+pub use word::{
+    ActionId, Health, ItemId, ItemStates as Percept, SchemaText, Threshold, Vocabulary,
+};

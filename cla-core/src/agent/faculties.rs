@@ -66,6 +66,27 @@ impl<
         self.alarm = Alarm::NONE;
     }
 
+    /// All that its tables have lost so far: what found no room, and what had to make some.
+    pub(super) fn losses(&self) -> u32 {
+        let (one, two) = (self.knowledge.losses(), self.level2.losses());
+        let lost = [
+            one.evicted_schemas,
+            one.refused_schemas,
+            one.refused_patterns,
+            two.refused_items,
+        ];
+        lost.into_iter().fold(0, u32::wrapping_add)
+    }
+
+    /// Schemas, patterns and synthetic items, each with the room for them.
+    pub(super) fn filled(&self) -> [(u32, u32); 3] {
+        [
+            (self.knowledge.schemas().len() as u32, SCHEMAS as u32),
+            (u32::from(self.knowledge.patterns()), PATTERNS as u32),
+            (u32::from(self.level2.rows()), SYNTHETIC as u32),
+        ]
+    }
+
     /// What they have touched in this step.
     pub(super) fn cost(&self) -> Cost {
         let mut cost = self.knowledge.cost;

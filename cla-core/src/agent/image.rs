@@ -158,6 +158,7 @@ impl<
         for map in &mut self.bank.maps {
             map.rebuild();
         }
+        self.begin_health();
     }
 
     fn forsake(&mut self) {

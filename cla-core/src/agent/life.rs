@@ -18,7 +18,10 @@ use crate::map::{ActionSomBank, Sample};
 use crate::num::Rng;
 use crate::snapshot::stored_codes;
 use crate::som::{BinarySom, Prototypes};
-use crate::word::{ActionId, Cost, ItemId, ItemStates};
+use crate::word::{ActionId, Cost, Gauge, Health, ItemId, ItemStates, State, Told, fullest};
+
+/// Losses of its tables in a thousand steps with which an agent is still well.
+const BEARABLE: u32 = 20;
 
 /// What an agent is doing with its life.
 ///
@@ -81,6 +84,7 @@ pub struct Agent<
     /// The trace at that choice: what is observed before its result comes may change it.
     pub(super) decided_after: Option<SyntheticId>,
     pub(super) since_harvest: u32,
+    pub(super) gauge: Gauge,
 }
 
 impl<
@@ -136,6 +140,7 @@ impl<
             chosen: None,
             decided_after: None,
             since_harvest: 0,
+            gauge: Gauge::NONE,
         }
     }
 
@@ -163,6 +168,7 @@ impl<
         self.stage = Stage::Training;
         self.chosen = None;
         self.since_harvest = 0;
+        self.begin_health();
         self.begin_step();
         Ok(())
     }
@@ -239,7 +245,7 @@ impl<
         {
             self.faculties.practise(config, &step, self.decided_after);
         }
-        let lesson = self.take_in(&step)?;
+        let mut lesson = self.take_in(&step)?;
         self.chosen = None;
         let rewarded = step.reward > 0.0;
         let relearns = self.relearns();
@@ -249,7 +255,28 @@ impl<
             self.faculties.feel(config, surprise, rewarded);
         }
         self.exploration.count(rewarded);
+        let told = Told {
+            foreseen: lesson.outcome.foreseen(),
+            unknown: lesson.outcome.activated == 0,
+        };
+        self.gauge.count(told, self.faculties.losses());
+        lesson.cramped = self.gauge.cramped(BEARABLE);
         Ok(lesson)
+    }
+
+    /// How it is doing: what it foresees, what found no room, whether it is too small.
+    #[must_use]
+    pub fn health(&self) -> Health {
+        self.gauge.health(State {
+            fullest: fullest(&self.faculties.filled()),
+            alarms: self.alarms(),
+            pending: false,
+            bearable: BEARABLE,
+        })
+    }
+
+    pub(super) fn begin_health(&mut self) {
+        self.gauge.begin(self.faculties.losses());
     }
 
     /// Learns from an action that the agent did not choose: a reflex, or a teacher's.

@@ -91,6 +91,8 @@ pub struct Lesson {
     pub trained: Option<Trained>,
     /// Whether the maps were harvested.
     pub harvested: bool,
+    /// Whether larger tables are likely to bring more: see [`Health`](crate::word::Health).
+    pub cramped: bool,
 }
 
 /// A call out of turn; nothing has changed.

@@ -133,6 +133,14 @@ macro_rules! brain_with_a_mind {
                 self.0.learn_with(&now.0, reward)
             }
 
+            /// From now on it is worth so much when an item is on after an action, negative for harm.
+            ///
+            /// # Errors
+            /// `MindError::Unborn`, or `MindError::Reward`.
+            pub fn revalue(&mut self, item: Item, value: f32) -> Result<(), $crate::forest::MindError> {
+                self.0.revalue(item.id(), value)
+            }
+
             /// Somebody else's action, a reflex or a teacher, has led from `before` to `after`.
             ///
             /// # Errors
@@ -197,7 +205,7 @@ macro_rules! brain_with_a_mind {
     (
         { $(#[$meta:meta])* $visibility:vis mod $name:ident } [$($seen:ident)*]
         { $($item:ident)+ } { $($action:ident)+ } { $($valued:ident = $value:expr,)+ }
-        { $ram:expr } { $samples:expr } { $($imagines:expr)? } { $($safe:ident)? }
+        { $ram:expr } { $samples:expr } { $($imagines:expr)? } { $($safe:ident)? } { $($states:expr)? }
     ) => {
         $(#[$meta])*
         $visibility mod $name {
@@ -228,7 +236,7 @@ macro_rules! brain_with_a_mind {
             };
 
             const CAPACITIES: $crate::forest::Capacities =
-                $crate::forest::Capacities::of($samples, ACTIONS.len());
+                $crate::forest::Capacities::of($samples, ACTIONS.len())$(.with_states($states))?;
 
             /// The learner under these names.
             pub type Mind = $crate::forest::Mind<

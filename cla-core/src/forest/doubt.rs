@@ -44,6 +44,14 @@ impl Doubt {
         self.alarms
     }
 
+    /// Other rewards come from now on: what was usual is no measure any more.
+    pub(super) const fn get_acquainted(&mut self) {
+        *self = Self {
+            alarms: self.alarms,
+            ..Self::new()
+        };
+    }
+
     /// An action was rewarded or not; answers whether the alarm rings, for a doubt of `lasts` actions.
     pub(super) fn notice(&mut self, rewarded: bool, lasts: u16) -> bool {
         let got = if rewarded { 1.0 } else { 0.0 };

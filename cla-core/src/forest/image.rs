@@ -132,7 +132,9 @@ impl<
         }
     }
 
-    fn rebuild(&mut self) {}
+    fn rebuild(&mut self) {
+        self.begin_health();
+    }
 
     fn forsake(&mut self) {
         self.age = Age::Unborn;

@@ -3,10 +3,11 @@
 //! Nothing here changes anything.
 
 use super::config::Voice;
-use super::mind::{Age, Mind};
+use super::mind::{Age, BEARABLE, Mind};
 use super::moment::Feature;
 use super::tree::DEEP;
-use crate::word::{ActionId, ItemId, ItemSet};
+use crate::reason::Reasoning;
+use crate::word::{ActionId, Health, ItemId, ItemSet, State, fullest};
 
 /// How far the tables of a mind are filled, each with its capacity.
 ///
@@ -144,5 +145,35 @@ impl<
             }
             see(context.get(..path.len()).unwrap_or(&[]), value);
         });
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+    const ROWS: usize,
+    const STATES: usize,
+    const LINKS: usize,
+    R: Reasoning<WORDS, ITEMS, ACTIONS>,
+> Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS, R>
+{
+    /// How it is doing: what it foresees, what found no room, whether it is too small.
+    ///
+    /// Foreseen is what has followed an action on the same percept before; unknown, an action that was
+    /// not done there yet, or not for so long that it was given up.
+    #[must_use]
+    pub fn health(&self) -> Health {
+        let it = self.filled();
+        let schemas = (self.reason.filled(), R::CAPACITIES[1]);
+        let tables = [it.leaves, it.rows, it.states, it.links, schemas];
+        self.gauge.health(State {
+            fullest: fullest(&tables),
+            alarms: self.alarms(),
+            pending: self.pending(),
+            bearable: BEARABLE,
+        })
     }
 }

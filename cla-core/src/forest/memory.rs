@@ -6,7 +6,7 @@
 
 use super::moment::{Moment, NO_ACTION};
 use crate::snapshot::{Reader, Stored, Writer, stored};
-use crate::word::ItemStates;
+use crate::word::{ItemId, ItemStates};
 
 /// Samples of a stretch.
 pub(super) const STRETCH: usize = 16;
@@ -245,6 +245,23 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
         }
         debug_assert!(moment.action == NO_ACTION || !sample.begins());
         moment
+    }
+
+    /// Every action that led to an item's being on has brought what that is worth now: one that brought
+    /// just what it was worth, or after which it was perceived.
+    pub(super) fn revalue(&mut self, item: ItemId, old: f32, value: f32) {
+        for at in 0..self.len {
+            let result = self.later(at).and_then(|next| self.get(next));
+            let seen = result.is_some_and(|result| result.now.on().contains(item));
+            if let Some(sample) = self.get_mut(at) {
+                let exactly = old != 0.0 && sample.reward == old;
+                if exactly {
+                    sample.reward = value;
+                } else if seen && !sample.ends() {
+                    sample.reward += value - old;
+                }
+            }
+        }
     }
 
     /// Says what a sample was worth; a value that is no number says nothing.

@@ -19,7 +19,7 @@ use crate::check::Config;
 use crate::num::Rng;
 use crate::reason::Reasoning;
 use crate::snapshot::stored_codes;
-use crate::word::{ActionId, ItemSet, ItemStates};
+use crate::word::{ActionId, Gauge, ItemId, ItemSet, ItemStates};
 
 /// How many voices there are.
 const VOICES: usize = Voice::ALL.len();
@@ -29,6 +29,9 @@ const CROWDED: f32 = 0.5;
 
 /// Values that fade in the time of a unit.
 const FADED_AT_ONCE: u32 = 6;
+
+/// Losses of its tables in a thousand steps with which a mind is still well.
+pub(super) const BEARABLE: u32 = 20;
 
 /// Values closer than this are the same.
 const CLOSE: f32 = 1.0e-6;
@@ -119,6 +122,7 @@ pub struct Mind<
     pub(super) stroll: u16,
     /// What the last choice was, for whom asks why.
     pub(super) said: Said,
+    pub(super) gauge: Gauge,
 }
 
 impl<
@@ -174,6 +178,7 @@ impl<
             led: false,
             stroll: 0,
             said: Said::NOTHING,
+            gauge: Gauge::NONE,
         }
     }
 
@@ -213,6 +218,46 @@ impl<
         self.wait = 0.0;
         self.earned = 0;
         self.burst = 0;
+        self.begin_health();
+        Ok(())
+    }
+
+    /// From now on it is worth so much when an item is on after an action, negative for harm.
+    ///
+    /// What was lived is judged anew: samples at once, trees as they grow from them, plans as they are
+    /// thought through. Habits, counts of the model and the record of the voices were about the old
+    /// values and begin again, from what is remembered and from what comes.
+    /// An action is taken to have led to the item when it brought just what that was worth, or when the
+    /// item was on in what was perceived next.
+    /// One pass over the samples and the habits: a call for a robot that stands still.
+    ///
+    /// # Errors
+    /// [`MindError::Unborn`], [`MindError::NoSuchItem`], or [`MindError::Reward`]; nothing has changed.
+    ///
+    /// ```
+    /// use cla_core::word::ItemId;
+    /// use cla_core::forest::{Mind, MindConfig, MindError};
+    /// let mut mind = Mind::<1, 2, 3, 16, 32, 32, 64, 256>::new();
+    /// mind.be_born(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
+    /// mind.revalue(ItemId(1), -2.0)?;
+    /// assert_eq!(mind.value(ItemId(1)), -2.0);
+    /// assert_eq!(mind.revalue(ItemId(2), 1.0), Err(MindError::NoSuchItem(ItemId(2))));
+    /// # Ok::<(), MindError>(())
+    /// ```
+    pub fn revalue(&mut self, item: ItemId, value: f32) -> Result<(), MindError> {
+        self.born()?;
+        check_reward(value)?;
+        let place = self.values.get_mut(usize::from(item.0));
+        let place = place.ok_or(MindError::NoSuchItem(item))?;
+        let old = core::mem::replace(place, value);
+        self.forest.revalue(item, old, value);
+        self.reason.revalue(item, value);
+        self.habits.clear();
+        self.model.clear();
+        self.did = NO_ACTION;
+        self.voices = Voices::new();
+        self.doubt.get_acquainted();
+        self.begin_health();
         Ok(())
     }
 
@@ -430,6 +475,7 @@ impl<
         Ok(Taught {
             reward,
             refocused: self.idle(budget.left()),
+            cramped: self.gauge.cramped(BEARABLE),
         })
     }
 
@@ -458,6 +504,7 @@ impl<
         Ok(Taught {
             reward,
             refocused: self.idle(budget.left()),
+            cramped: self.gauge.cramped(BEARABLE),
         })
     }
 
@@ -525,6 +572,15 @@ impl<
         }
     }
 
+    /// All that its tables have lost so far: what found no room, and what had to make some.
+    fn losses(&self) -> u32 {
+        self.model.given_up().wrapping_add(self.reason.losses())
+    }
+
+    pub(super) fn begin_health(&mut self) {
+        self.gauge.begin(self.losses());
+    }
+
     fn worth_of(&self, now: &ItemStates<WORDS>) -> f32 {
         let mut worth = 0.0;
         for item in now.on().iter() {
@@ -537,8 +593,10 @@ impl<
     fn follow(&mut self, to: Option<State>) {
         let rates = self.config.model_rates(self.doubt.lasts());
         if self.did != NO_ACTION {
-            self.model
+            let told = self
+                .model
                 .learn(self.state, self.did, self.brought, to, &rates);
+            self.gauge.count(told, self.losses());
         }
         self.did = NO_ACTION;
         self.model.spread(self.config.spread, &rates);

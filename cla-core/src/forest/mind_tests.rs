@@ -387,3 +387,68 @@ fn an_interruption_ends_what_habits_and_model_expect() {
         assert!(apart < 0.6 * joined, "{voice:?} {apart} {joined}");
     }
 }
+
+/// Seven places in a row, from the middle to either end, where items 0 and 6 are on; answers how often
+/// each end was reached.
+fn ends(mind: &mut Small, actions: u32, thrown_back: bool) -> (u32, u32) {
+    let (mut place, mut left, mut right) = (3, 0, 0);
+    for _ in 0..actions {
+        let choice = mind.choose(&at(place)).unwrap();
+        place = match choice.action.0 {
+            0 => place.max(1) - 1,
+            1 => (place + 1).min(6),
+            _ => place,
+        };
+        mind.learn(&at(place)).unwrap();
+        if place == 0 || place == 6 {
+            left += u32::from(place == 0);
+            right += u32::from(place == 6);
+            if thrown_back {
+                mind.interrupt().unwrap();
+            }
+            place = 3;
+        }
+    }
+    (left, right)
+}
+
+#[test]
+fn what_is_worth_having_may_change_in_mid_life() {
+    for thrown_back in [false, true] {
+        let (mut before, mut after, mut newborns) = ((0, 0), (0, 0), 0);
+        for seed in 0..6 {
+            let mut mind = born(&[(0, 10.0), (6, 1.0)], seed);
+            ends(&mut mind, 2_000, thrown_back);
+            mind.act().unwrap();
+            let (left, right) = ends(&mut mind, 300, thrown_back);
+            before = (before.0 + left, before.1 + right);
+            mind.revalue(ItemId(6), 10.0).unwrap();
+            mind.revalue(ItemId(0), -5.0).unwrap();
+            let (left, right) = ends(&mut mind, 300, thrown_back);
+            after = (after.0 + left, after.1 + right);
+            let mut newborn = born(&[(0, -5.0), (6, 10.0)], seed);
+            newborns += ends(&mut newborn, 300, thrown_back).1;
+        }
+        std::println!("{before:?} {after:?} {newborns}");
+        assert!(before.0 > 4 * before.1, "{before:?}");
+        assert!(after.1 > 8 * after.0, "{after:?}");
+        // What it knows of the way is worth something.
+        assert!(after.1 > newborns, "{after:?} {newborns}");
+    }
+}
+
+#[test]
+fn a_value_that_cannot_be_changes_nothing() {
+    let mut mind = Small::new();
+    assert_eq!(mind.revalue(ItemId(0), 1.0), Err(MindError::Unborn));
+    let mut mind = born(&[(5, 10.0)], 1);
+    corridor(&mut mind, 100);
+    let mut same = mind.clone();
+    assert_eq!(
+        mind.revalue(ItemId(8), 1.0),
+        Err(MindError::NoSuchItem(ItemId(8)))
+    );
+    assert_eq!(mind.revalue(ItemId(5), f32::NAN), Err(MindError::Reward));
+    assert_eq!(corridor(&mut mind, 500), corridor(&mut same, 500));
+    assert_eq!(mind.value(ItemId(5)), 10.0);
+}

@@ -7,6 +7,7 @@
 //! Rows and links lie in fixed tables; a full one gives up what was not met for longest.
 
 use crate::snapshot::{LARGEST_COUNT, stored};
+use crate::word::Told;
 
 /// Places in which a row may lie.
 const PROBES: u32 = 8;
@@ -250,7 +251,8 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
     }
 
     /// An action in a state has led to another (`None` when the episode has ended) and brought a
-    /// reward.
+    /// reward; answers whether anything was known of the action there, and whether it had led there
+    /// before.
     pub(super) fn learn(
         &mut self,
         from: State,
@@ -258,14 +260,14 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
         reward: f32,
         to: Option<State>,
         rates: &ModelRates,
-    ) {
+    ) -> Told {
         self.clock = self.clock.wrapping_add(1);
         let (key, place) = match to {
             Some(to) => (to.step, self.enter(to.step, to.percept)),
             None => (0, 0),
         };
         let percept = self.enter(from.percept, from.percept);
-        self.count(percept, action, (key, place), reward, rates);
+        let told = self.count(percept, action, (key, place), reward, rates);
         let step = self.enter(from.step, from.percept);
         self.count(step, action, (key, place), reward, rates);
         let next = self.find(key).and_then(|to| self.rows.get(usize::from(to)));
@@ -275,6 +277,7 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
         }
         self.refresh(percept, rates);
         self.refresh(step, rates);
+        told
     }
 
     fn count(
@@ -284,7 +287,7 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
         (key, to): (u32, u16),
         reward: f32,
         rates: &ModelRates,
-    ) {
+    ) -> Told {
         let head = |model: &Self| {
             let row = model.rows.get(usize::from(row));
             let first = row.and_then(|row| row.links.get(usize::from(action)).copied());
@@ -331,13 +334,17 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
             }
             place = next;
         }
-        if found != NONE {
-            return;
+        let told = Told {
+            foreseen: found != NONE,
+            unknown: first == NONE,
+        };
+        if told.foreseen {
+            return told;
         }
         let Some(place) = self.take() else {
             self.given_up = self.given_up.wrapping_add(1);
             self.make_room();
-            return;
+            return told;
         };
         let first = head(self);
         if let Some(link) = self.link_mut(place) {
@@ -350,6 +357,7 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
             };
         }
         self.set_head(row, action, place);
+        told
     }
 
     fn set_head(&mut self, row: u16, action: u8, place: u16) {

@@ -6,7 +6,7 @@ use core::fmt;
 use super::config::Voice;
 use crate::check::ConfigError;
 use crate::snapshot::{stored, stored_codes};
-use crate::word::ActionId;
+use crate::word::{ActionId, ItemId};
 
 /// The greatest reward, and the greatest harm, of one action.
 pub const MOST_REWARD: f32 = 1.0e4;
@@ -147,6 +147,8 @@ pub enum MindError {
     NothingChosen,
     /// There is no such action; nothing was learned.
     NoSuchAction(ActionId),
+    /// There is no such item; nothing has changed.
+    NoSuchItem(ItemId),
     /// It has no reason that could pursue a goal.
     NoReason,
 }
@@ -163,6 +165,7 @@ impl fmt::Display for MindError {
             Self::NothingAllowed => f.write_str("no action is allowed"),
             Self::NothingChosen => f.write_str("nothing was chosen whose result this could be"),
             Self::NoSuchAction(action) => write!(f, "there is no action {}", action.0),
+            Self::NoSuchItem(item) => write!(f, "there is no item {}", item.0),
             Self::NoReason => f.write_str("it has no reason that could pursue a goal"),
         }
     }
@@ -189,6 +192,8 @@ pub struct Taught {
     pub reward: f32,
     /// Whether other items matter from now on.
     pub refocused: bool,
+    /// Whether larger tables are likely to bring more: see [`Health`](crate::word::Health).
+    pub cramped: bool,
 }
 
 /// Whether a reward, or what an item is worth, is a number that may be learned from.

@@ -122,6 +122,17 @@ impl<
         self.fresh = self.fresh.saturating_add(1);
     }
 
+    /// What is on counts for more or less than it did: samples are worth that at once, and trees grow
+    /// anew from them. Those of the old values are gone: what follows would be judged by them.
+    pub(super) fn revalue(&mut self, item: ItemId, old: f32, value: f32) {
+        self.memory.revalue(item, old, value);
+        for member in &mut self.members {
+            member.clear();
+        }
+        self.work = Work::Rest;
+        self.fresh = u16::MAX;
+    }
+
     pub(super) const fn memory(&self) -> &Memory<WORDS, STRETCHES> {
         &self.memory
     }

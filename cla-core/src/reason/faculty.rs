@@ -6,7 +6,7 @@ use super::imagined::{Imagined, NEVER};
 use super::pursuit::{Aim, Pursuit, Way};
 use crate::growth::SimpleSchema;
 use crate::snapshot::{Reader, Writer, stored};
-use crate::word::{ActionId, ItemSet, ItemStates, SchemaText, SignedItems};
+use crate::word::{ActionId, ItemId, ItemSet, ItemStates, SchemaText, SignedItems};
 
 /// The discount of what may be had.
 const DISCOUNT: f32 = 0.95;
@@ -162,6 +162,19 @@ impl<
         self.values = values.map(bounded);
         self.aim = Aim::NONE;
         self.kept = 0.0;
+    }
+
+    /// What it is worth from now on when an item is on, within the bounds of [`begin`](Self::begin).
+    ///
+    /// Schemas and imagined states stay; their values follow as [`work`](Self::work) goes on.
+    pub fn revalue(&mut self, item: ItemId, value: f32) {
+        let value = bounded(value);
+        if let Some(old) = self.values.get_mut(usize::from(item.0)) {
+            let more = value - *old;
+            *old = value;
+            self.imagined.revalue(item, more);
+            self.moving = true;
+        }
     }
 
     /// The schemas that are believed now, in no order that means anything.

@@ -8,7 +8,7 @@
 //! enough.
 
 use crate::snapshot::{stored, stored_codes};
-use crate::word::{ItemSet, SignedItems};
+use crate::word::{ItemId, ItemSet, SignedItems};
 
 /// A link to a state that cannot be, or that found no place.
 const REFUSED: u16 = u16::MAX;
@@ -324,6 +324,18 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
         }
         self.free = at + 1;
         self.vacant = self.vacant.saturating_add(1);
+    }
+
+    /// Every state in which an item is on is worth so much more.
+    pub(super) fn revalue(&mut self, item: ItemId, more: f32) {
+        for at in 0..self.len {
+            if let Some(node) = self.node_mut(at)
+                && !node.is_free()
+                && node.on.contains(item)
+            {
+                node.worth += more;
+            }
+        }
     }
 
     /// What arriving in a state has brought.

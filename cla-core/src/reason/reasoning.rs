@@ -3,7 +3,7 @@
 use super::faculty::{Prospects, Reason};
 use super::pursuit::Pursuit;
 use crate::snapshot::{Reader, Writer};
-use crate::word::{ActionId, ItemStates, SchemaText, SignedItems};
+use crate::word::{ActionId, ItemId, ItemStates, SchemaText, SignedItems};
 
 /// A faculty of schemas and goals, or `()`: none at all, which takes 0 bytes and does nothing.
 ///
@@ -29,6 +29,12 @@ pub trait Reasoning<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize
     /// Remembered samples of an action, schemas, imagined states; 0 where there is nothing.
     const CAPACITIES: [u32; 3];
 
+    /// Schemas that found no room or made some for others, since birth.
+    fn losses(&self) -> u32;
+
+    /// Schemas that are believed.
+    fn filled(&self) -> u32;
+
     /// Drops what cannot be so, `values` being what is worth having; answers how many.
     fn audit(&mut self, values: [f32; ITEMS]) -> u32;
 
@@ -48,6 +54,9 @@ pub trait Reasoning<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize
 
     /// See [`Reason::begin`].
     fn begin(&mut self, values: [f32; ITEMS], seed: u64);
+
+    /// See [`Reason::revalue`].
+    fn revalue(&mut self, item: ItemId, value: f32);
 
     /// See [`Reason::observe`].
     fn observe(
@@ -99,6 +108,14 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Reasoning<WOR
     const THERE: bool = false;
     const CAPACITIES: [u32; 3] = [0; 3];
 
+    fn losses(&self) -> u32 {
+        0
+    }
+
+    fn filled(&self) -> u32 {
+        0
+    }
+
     fn audit(&mut self, _: [f32; ITEMS]) -> u32 {
         0
     }
@@ -118,6 +135,8 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Reasoning<WOR
     }
 
     fn begin(&mut self, _: [f32; ITEMS], _: u64) {}
+
+    fn revalue(&mut self, _: ItemId, _: f32) {}
 
     fn observe(&mut self, _: &ItemStates<WORDS>, _: ActionId, _: &ItemStates<WORDS>, _: f32) {}
 
@@ -175,6 +194,15 @@ impl<
     const THERE: bool = true;
     const CAPACITIES: [u32; 3] = [SAMPLES as u32, SCHEMAS as u32, NODES as u32];
 
+    fn losses(&self) -> u32 {
+        let (evicted, refused) = Self::losses(self);
+        evicted.wrapping_add(refused)
+    }
+
+    fn filled(&self) -> u32 {
+        self.schemas().len() as u32
+    }
+
     fn audit(&mut self, values: [f32; ITEMS]) -> u32 {
         Self::audit(self, values)
     }
@@ -197,6 +225,10 @@ impl<
 
     fn begin(&mut self, values: [f32; ITEMS], seed: u64) {
         Self::begin(self, values, seed);
+    }
+
+    fn revalue(&mut self, item: ItemId, value: f32) {
+        Self::revalue(self, item, value);
     }
 
     fn observe(

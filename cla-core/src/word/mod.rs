@@ -3,10 +3,12 @@
 //! An item is on, off or unknown; a percept is what is known of all of them at one moment; a
 //! conjunction of signed items is a context or a result; `+s3/forward/+s3+ingrip` writes it all.
 //! Both learners speak these words: the agent with its maps and tables, and `growth`.
-//! Here stands also what a control step touches, because everyone who works adds to it.
+//! Here stands also what a control step touches and how a brain is doing, because everyone who works
+//! adds to them.
 
 mod action;
 mod cost;
+mod health;
 mod item;
 mod notation;
 mod signed_items;
@@ -14,6 +16,8 @@ mod threshold;
 
 pub use action::{ActionId, Vocabulary};
 pub use cost::Cost;
+pub(crate) use health::{Gauge, State, Told, fullest};
+pub use health::{Health, WINDOW};
 pub use item::{ItemId, ItemOutOfRange, ItemSet, ItemStates, Items};
 pub use notation::{Detail, NotationError, SchemaText, Written};
 pub use signed_items::SignedItems;
