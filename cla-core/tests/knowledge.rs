@@ -40,6 +40,7 @@ robot!(
 );
 robot!(renamed, [light_left, light_right, light_ahead, at_lamp], [left, forward, right], 32, 4 x 4);
 robot!(narrow, [light_left, light_ahead, light_right, at_lamp], [left, forward, right], 4, 4 x 4);
+robot!(cramped, [light_left, light_ahead, light_right, at_lamp], [left, forward, right], 32, 2 x 2);
 robot!(
     blind,
     [light_left, light_ahead, at_lamp],
@@ -231,6 +232,10 @@ fn what_does_not_fit_is_named_and_the_brain_is_as_it_was() {
     );
     let said = refused!(narrow);
     assert!(said.ends_with(", and this one has 4"), "{said}");
+    // Its tables have room, and its maps have no nodes that would say it at the next harvest.
+    let said = refused!(cramped);
+    let nodes = " nodes of a map, and this one has 4";
+    assert!(said.ends_with(nodes), "{said}");
     assert_eq!(
         refused!(blind),
         "the image is of a brain with 4 items, and this one has 3"
@@ -321,4 +326,11 @@ fn a_mind_takes_samples_and_schemas_along_and_its_trees_grow_anew() {
         ),
         "{refused:?}"
     );
+    // Nor has it one for what a mind knows that has not reasoned yet.
+    let mut newborn = Box::new(Small::unborn());
+    newborn.be_born(MindConfig::DEFAULT, [0.0; 4], 1).unwrap();
+    let image = knowledge(&*newborn, little::VOCABULARY.names());
+    let refused = take(&mut *plain, little::VOCABULARY, &image).unwrap_err();
+    let sentence = "the image is of a brain with 32 schemas, and this one has 0";
+    assert_eq!(refused.to_string(), sentence);
 }

@@ -9,6 +9,7 @@ use super::alarm::SurpriseConfig;
 use crate::choice::{ValueConfig, state_of};
 use crate::knowledge::{Doubt, Estimate, KnowledgeBase, Others, PatternId, Schema};
 use crate::num::{exp, ln};
+use crate::snapshot::{LARGEST, bounded};
 use crate::word::{ActionId, ItemStates, SchemaText, SignedItems};
 
 /// How strongly an old model may hold: as if it had been seen so many times.
@@ -229,7 +230,11 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             let index = usize::from(action.0);
             if let (Some(here), Some(best)) = (here.get(index), best.get(index)) {
                 let gap = best - here.value;
-                let bonus = if gap > 0.0 { hope * gap } else { 0.0 };
+                let bonus = if gap > 0.0 {
+                    bounded(hope * gap, LARGEST)
+                } else {
+                    0.0
+                };
                 it.change_group(context, action, |schema| schema.doubt.bonus = bonus);
             }
         });

@@ -16,6 +16,7 @@ use crate::som::Prototypes;
 /// Which capacity is which, in the order of the profile.
 const WORDS_AT: usize = 0;
 const ITEMS_AT: usize = 1;
+const SIDES_AT: [usize; 2] = [2, 3];
 const ACTIONS_AT: usize = 4;
 
 impl<
@@ -58,11 +59,22 @@ impl<
         let actions = origin.capacity(ACTIONS_AT, ACTIONS);
         from.limits.actions = actions as u16;
         match number {
-            0 => KnowledgeBase::<WORDS, PATTERNS, SCHEMAS>::take(
-                faculties.map(|it| &mut it.knowledge),
-                (words, items),
-                from,
-            ),
+            0 => {
+                // What its own maps had no node for, as in a doubt, would have left there, too.
+                let sides = SIDES_AT.map(|at| origin.capacity(at, usize::from(u16::MAX)));
+                let [columns, rows] = sides;
+                let nodes = if columns * rows > WIDTH * HEIGHT {
+                    WIDTH * HEIGHT
+                } else {
+                    SCHEMAS
+                };
+                KnowledgeBase::<WORDS, PATTERNS, SCHEMAS>::take::<ACTIONS>(
+                    faculties.map(|it| &mut it.knowledge),
+                    (words, items),
+                    nodes,
+                    from,
+                );
+            }
             1 => SecondLevel::<ACTIONS, SYNTHETIC, BELIEFS>::take(
                 faculties.map(|it| &mut it.level2),
                 actions,

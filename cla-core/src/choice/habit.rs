@@ -9,7 +9,7 @@
 
 use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::SyntheticId;
-use crate::snapshot::{LARGEST, Reader, Stored, Writer, stored};
+use crate::snapshot::{LARGEST, MOST_CHANGE, Reader, Stored, Writer, bounded, stored};
 use crate::word::{ActionId, ItemSet};
 
 /// How habits form, and how much they say.
@@ -225,7 +225,8 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
             let share = 1.0 / f32::from(features);
             let rate = if rate < share { rate } else { share };
             if error.abs() <= LARGEST {
-                moved = self.spread(rate * error, config.discount * config.lambda);
+                let change = bounded(rate * error, MOST_CHANGE);
+                moved = self.spread(change, config.discount * config.lambda);
             }
         }
         self.newest = self.newest.wrapping_add(1) % FELT as u8;

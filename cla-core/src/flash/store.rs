@@ -135,6 +135,8 @@ impl<F: NorFlash, const SLOTS: usize> FlashStore<F, SLOTS> {
     ///
     /// The newest generation is left alone until this one is whole, and what was written is read back.
     /// The time it takes is [`cost`](Self::cost); the brain is gone through four times.
+    /// Audit it first: a brain that lost a bit is refused, and with it what it learned since the last
+    /// generation; one that was mended is saved.
     ///
     /// # Errors
     /// [`StoreError`]; the newest generation is still there.

@@ -85,7 +85,7 @@ impl<
     fn audit_life(&mut self) -> u32 {
         let mut mended = 0;
         for action in [&mut self.did, &mut self.last, &mut self.chosen] {
-            if *action != NO_ACTION && usize::from(*action) >= ACTIONS {
+            if !Self::is_action(action) {
                 *action = NO_ACTION;
                 mended += 1;
             }

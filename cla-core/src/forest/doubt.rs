@@ -4,7 +4,7 @@
 //! learn faster, the model forgets faster and, where so configured, its counts weigh few trials), and what
 //! was lived before weighs little in the leaves of the trees, whose questions stay.
 
-use crate::snapshot::stored;
+use crate::snapshot::{LARGEST_COUNT, stored};
 
 /// The share of the usual rewards that is asked for.
 const ASKED: f32 = 0.65;
@@ -75,7 +75,9 @@ impl Doubt {
     }
 }
 
-stored! { impl[] Doubt { usual, missing, acted, left, alarms } }
+stored! {
+    impl[] Doubt { usual => up_to 1.1, missing => up_to LARGEST_COUNT, acted, left, alarms }
+}
 
 #[cfg(test)]
 #[path = "doubt_tests.rs"]

@@ -6,9 +6,10 @@
 
 use super::memory::{Memory, STRETCH};
 use super::relevance::Relevance;
+use super::step::{MOST_SQUARES, MOST_WORTH};
 use super::tally::{Split, Tally};
 use super::tree::{Place, Trees};
-use crate::snapshot::{stored, stored_codes};
+use crate::snapshot::{bounded, stored, stored_codes};
 
 /// Samples that are looked at before the budget is asked again.
 const AT_ONCE: u16 = 8;
@@ -223,7 +224,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
     /// A root for each action, all of which say the mean of all.
     fn plant(&mut self, trees: &mut Trees<ITEMS, ACTIONS, LEAVES>) {
         let value = if self.drawn > 0 {
-            self.sum / f32::from(self.drawn)
+            bounded(self.sum / f32::from(self.drawn), MOST_WORTH)
         } else {
             0.0
         };
@@ -293,7 +294,7 @@ impl<const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEA
         trees: &mut Trees<ITEMS, ACTIONS, LEAVES>,
         relevance: &mut Relevance<WORDS, ITEMS>,
     ) -> bool {
-        leaf.value += self.tally.shift(PRIOR);
+        leaf.value = bounded(leaf.value + self.tally.shift(PRIOR), MOST_WORTH);
         trees.settle(leaf.place(), leaf.value);
         let is_root = leaf.side == Side::Root;
         leaf.gain = 0.0;
@@ -449,7 +450,12 @@ stored_codes!(Side {
     1: (Self::Yes),
     2: (Self::No)
 });
-stored! { impl[] Leaf { start, len, pair, side, action, feature, share, value, gain } }
+stored! {
+    impl[] Leaf {
+        start, len, pair, side, action, feature, share, value => within MOST_WORTH,
+        gain => up_to MOST_SQUARES
+    }
+}
 stored! {
     impl[const ITEMS: usize, const ACTIONS: usize, const STRETCHES: usize, const LEAVES: usize]
     Growth<ITEMS, ACTIONS, STRETCHES, LEAVES> {

@@ -2,13 +2,15 @@
 
 use super::mind::{Age, Mind};
 use super::model::Model;
+use super::moment::NO_ACTION;
 use super::sarsa::Sarsa;
+use super::step::{MOST_EARNED, MOST_REWARD};
 use super::trees::Forest;
 use crate::num::Rng;
 use crate::reason::Reasoning;
 use crate::snapshot::{
-    Flip, Limits, Mender, Profile, Reader, Snapshot, Stored, Writer, check_fields, flip_fields,
-    mend_fields, restore_fields, store_fields,
+    Flip, LARGEST_COUNT, Limits, Mender, Profile, Reader, Snapshot, Stored, Writer, check_fields,
+    flip_fields, mend_fields, restore_fields, store_fields,
 };
 
 /// The fields of the section "life", each with what it may be.
@@ -17,21 +19,21 @@ macro_rules! life {
         $each! {
             $by;
             state,
-            did,
-            brought,
+            did if Self::is_action,
+            brought => within MOST_EARNED,
             voices,
             runs,
             doubt,
-            values,
+            values => within MOST_REWARD,
             config,
             rng if Rng::is_seeded,
             age if |it: &Age| *it != Age::Unborn,
             before,
-            last,
-            chosen,
+            last if Self::is_action,
+            chosen if Self::is_action,
             now,
             since,
-            wait,
+            wait => up_to LARGEST_COUNT,
             earned,
             burst,
             led,
@@ -138,5 +140,23 @@ impl<
 
     fn forsake(&mut self) {
         self.age = Age::Unborn;
+    }
+}
+
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const ACTIONS: usize,
+    const STRETCHES: usize,
+    const LEAVES: usize,
+    const ROWS: usize,
+    const STATES: usize,
+    const LINKS: usize,
+    R,
+> Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS, R>
+{
+    /// Whether a number is that of an action, or of none.
+    pub(super) const fn is_action(number: &u8) -> bool {
+        *number == NO_ACTION || (*number as usize) < ACTIONS
     }
 }

@@ -5,7 +5,8 @@
 //! A full memory gives up its oldest stretch.
 
 use super::moment::{Moment, NO_ACTION};
-use crate::snapshot::{Reader, Stored, Writer, stored};
+use super::step::{MOST_EARNED, MOST_WORTH};
+use crate::snapshot::{Reader, Stored, Writer, bounded, stored};
 use crate::word::{ItemId, ItemStates};
 
 /// Samples of a stretch.
@@ -69,6 +70,13 @@ impl<const WORDS: usize> Sample<WORDS> {
 
     const fn begins(&self) -> bool {
         self.marks & BEGINS != 0
+    }
+
+    /// Whether it can be so, of a robot of so many actions.
+    fn can_be(&self, actions: u16) -> bool {
+        u16::from(self.action) < actions
+            && self.reward.abs() <= MOST_EARNED
+            && self.target.abs() <= MOST_WORTH
     }
 
     /// What it was worth, reward and what followed; `None` while nobody knows.
@@ -258,7 +266,7 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
                 if exactly {
                     sample.reward = value;
                 } else if seen && !sample.ends() {
-                    sample.reward += value - old;
+                    sample.reward = bounded(sample.reward + (value - old), MOST_EARNED);
                 }
             }
         }
@@ -269,13 +277,16 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
         if let Some(sample) = self.get_mut(at)
             && target.is_finite()
         {
-            sample.target = target;
+            sample.target = bounded(target, MOST_WORTH);
             sample.marks |= TARGET;
         }
     }
 }
 
-stored! { impl[const WORDS: usize] Sample<WORDS> { now, reward, target, action, marks } }
+stored! {
+    impl[const WORDS: usize] Sample<WORDS> { now, reward, target, action, marks }
+    sound |it, limits| it.can_be(limits.actions)
+}
 stored! {
     impl[const WORDS: usize, const STRETCHES: usize] Memory<WORDS, STRETCHES> {
         samples, head, len, recent
@@ -283,42 +294,39 @@ stored! {
 }
 
 impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
-    /// Makes samples of actions that there are not ones that say nothing, and the ring one again;
-    /// answers how many.
-    pub(super) fn audit(&mut self, actions: usize) -> u32 {
-        let mut mended = 0;
-        for sample in self.samples.as_flattened_mut() {
-            if usize::from(sample.action) >= actions {
-                *sample = Sample::NONE;
-                mended += 1;
-            }
-        }
+    /// Makes the ring one again where it is none; whether it was not.
+    pub(super) fn audit(&mut self) -> bool {
         let most = Self::CAPACITY;
         let ring = if self.len < most {
             self.head == self.len
         } else {
             self.len == most && self.head < most
         };
-        if !ring || self.recent > most {
+        let sound = ring && self.recent <= most;
+        if !sound {
             self.len = self.len.min(most);
             self.head = if self.len < most { self.len } else { 0 };
             self.recent = self.recent.min(most);
-            mended += 1;
         }
-        mended
+        !sound
     }
 }
 
 impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
     /// Writes the samples, the oldest first.
     pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        to.require(self.len <= Self::CAPACITY);
         self.len.store(to);
         self.recent().store(to);
         for back in (0..self.len).rev() {
-            if let Some(sample) = self.back_by(back).and_then(|at| self.get(at)) {
-                sample.now.store(to);
-                sample.reward.store(to);
-                (sample.action, sample.marks & !TARGET).store(to);
+            match self.back_by(back).and_then(|at| self.get(at)) {
+                Some(sample) => {
+                    to.require(sample.can_be(to.limits.actions));
+                    sample.now.store(to);
+                    sample.reward.store(to);
+                    (sample.action, sample.marks & !TARGET).store(to);
+                }
+                None => to.refuse(),
             }
         }
     }
@@ -341,7 +349,7 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
             sample.reward.restore(from);
             sample.action.restore(from);
             sample.marks.restore(from);
-            from.require(usize::from(sample.action) < actions);
+            from.require(sample.can_be(actions as u16));
             if from.is_wrong() {
                 return;
             }

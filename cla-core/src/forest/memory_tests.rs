@@ -1,7 +1,7 @@
 //! The ring of samples: neighbours, interruptions, what is recent.
 
 use super::super::moment::NO_ACTION;
-use super::{Memory, STRETCH, Sample};
+use super::{MOST_WORTH, Memory, STRETCH, Sample};
 use crate::word::{ItemId, ItemStates};
 
 type Two = Memory<1, 2>;
@@ -87,4 +87,13 @@ fn after_a_doubt_only_what_is_lived_then_is_recent() {
     assert_eq!(recent, 5);
     let newest = memory.newest().unwrap();
     assert!(memory.is_recent(newest));
+}
+
+#[test]
+fn what_a_sample_was_worth_stays_within_what_anything_is_worth() {
+    let mut memory = lived(3);
+    memory.set_target(1, 1e30);
+    memory.set_target(2, f32::NAN);
+    let target = |at| memory.get(at).and_then(Sample::target);
+    assert_eq!([target(1), target(2)], [Some(MOST_WORTH), None]);
 }

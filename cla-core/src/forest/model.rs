@@ -6,7 +6,8 @@
 //! New trials weigh more than old ones, so the model follows a world that changes.
 //! Rows and links lie in fixed tables; a full one gives up what was not met for longest.
 
-use crate::snapshot::{LARGEST_COUNT, stored};
+use super::step::{MOST_EARNED, MOST_WORTH};
+use crate::snapshot::{LARGEST_COUNT, bounded, stored};
 use crate::word::Told;
 
 /// Places in which a row may lie.
@@ -180,6 +181,8 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
 
     /// The place of a state, made when it is new.
     fn enter(&mut self, key: u32, percept: u32) -> u16 {
+        // 0 is the key of what is free.
+        let key = key.max(1);
         let mut oldest = (u32::MAX, 0);
         for probe in 0..PROBES {
             let place = Self::place(key, probe);
@@ -273,7 +276,8 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
         let next = self.find(key).and_then(|to| self.rows.get(usize::from(to)));
         let follows = next.map_or(0.0, |row| row.worth);
         if let Some(row) = self.rows.get_mut(usize::from(step)) {
-            row.felt += 0.1 * (reward + rates.discount * follows - row.felt);
+            let felt = row.felt + 0.1 * (reward + rates.discount * follows - row.felt);
+            row.felt = bounded(felt, MOST_WORTH);
         }
         self.refresh(percept, rates);
         self.refresh(step, rates);
@@ -440,14 +444,18 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
             let (sum, weight, count) = self.promise(row, action, rates.discount);
             let says = prior.and_then(|prior| prior.values.get(action).copied());
             let believed = if is_step { rates.prior } else { 0.5 };
-            *value = (sum + believed * says.unwrap_or(0.0)) / (weight + believed);
+            let sum = sum + believed * says.unwrap_or(0.0);
+            *value = bounded(sum / (weight + believed), MOST_WORTH);
             best = best.max(*value);
             units += 1 + count;
         }
         if let Some(row) = self.rows.get_mut(usize::from(place)) {
             row.values = values;
             row.worth = if is_step {
-                (1.0 - rates.felt) * best + rates.felt * row.felt
+                bounded(
+                    (1.0 - rates.felt) * best + rates.felt * row.felt,
+                    MOST_WORTH,
+                )
             } else {
                 best
             };
@@ -510,9 +518,12 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
 }
 
 stored! { impl[] State { step, percept } }
-stored! { impl[] Link { key, to, next, weight, reward } }
+stored! { impl[] Link { key, to, next, weight => up_to LARGEST_COUNT, reward => within MOST_EARNED } }
 stored! {
-    impl[const ACTIONS: usize] Row<ACTIONS> { key, percept, worth, felt, links, values, met }
+    impl[const ACTIONS: usize] Row<ACTIONS> {
+        key, percept, worth => within MOST_WORTH, felt => within MOST_WORTH, links,
+        values => within MOST_WORTH, met
+    }
 }
 stored! {
     impl[const ACTIONS: usize, const STATES: usize, const LINKS: usize]
@@ -520,15 +531,9 @@ stored! {
 }
 
 impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTIONS, STATES, LINKS> {
-    /// Begins anew when its lists cannot be so, and mends what a link weighs; answers how many.
+    /// Begins anew when its lists cannot be so; answers how many things could not.
     pub(super) fn audit(&mut self) -> u32 {
         let mut mended = 0;
-        for link in &mut self.links {
-            if !(0.0..=LARGEST_COUNT).contains(&link.weight) {
-                link.weight = 0.0;
-                mended += 1;
-            }
-        }
         if usize::from(self.at) >= STATES {
             self.at = 0;
             mended += 1;

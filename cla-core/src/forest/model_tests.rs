@@ -199,3 +199,16 @@ fn in_a_doubt_one_trial_of_the_new_weighs_what_all_the_old_do() {
     model.learn(state(0), 0, 0.0, Some(state(2)), &RATES);
     assert!((0.3..0.6).contains(&model.values(state(0))[0]));
 }
+
+#[test]
+fn a_state_without_a_number_takes_no_free_place() {
+    let mut model = Small::new();
+    let nothing = State {
+        step: 0,
+        percept: 0,
+    };
+    for _ in 0..3 {
+        model.learn(nothing, 1, 1.0, Some(state(1)), &RATES);
+        assert_eq!(model.audit(), 0);
+    }
+}

@@ -4,7 +4,7 @@
 //! which blink at random fill no table; contexts ask more of an item outside of it.
 
 use super::moment::Feature;
-use crate::snapshot::{Reader, Stored, Writer, stored};
+use crate::snapshot::{LARGEST, Reader, Stored, Writer, bounded, stored};
 use crate::word::{ItemId, ItemSet};
 
 /// An item above this joins the mask.
@@ -63,7 +63,7 @@ impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
             && let Some(clearest) = self.clearest.get_mut(usize::from(item.0))
             && clear > *clearest
         {
-            *clearest = clear;
+            *clearest = bounded(clear, LARGEST);
         }
     }
 
@@ -94,13 +94,15 @@ impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
 
 stored! {
     impl[const WORDS: usize, const ITEMS: usize] Relevance<WORDS, ITEMS> {
-        clearest, mean, mask, told
+        clearest => up_to LARGEST, mean => up_to LARGEST, mask, told
     }
 }
 
 impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
     pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        to.limits.up_to(LARGEST);
         self.mean.store(to);
+        to.limits.within(LARGEST);
         self.mask.store(to);
         self.told.store(to);
     }
@@ -112,6 +114,7 @@ impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
         (words, items, _): (usize, usize, usize),
         from: &mut Reader<'_>,
     ) {
+        from.limits.up_to(LARGEST);
         for item in 0..items {
             let mut mean = 0.0;
             mean.restore(from);
@@ -119,6 +122,7 @@ impl<const WORDS: usize, const ITEMS: usize> Relevance<WORDS, ITEMS> {
                 *place = mean;
             }
         }
+        from.limits.within(LARGEST);
         let known = ItemSet::first(items as u16);
         let mask = ItemSet::take(words, from).intersection(&known);
         let mut told = false;

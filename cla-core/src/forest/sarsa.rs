@@ -8,7 +8,8 @@
 
 use super::growth::mix;
 use super::moment::{Moment, NO_ACTION};
-use crate::snapshot::{Reader, Stored, Writer, stored};
+use super::step::MOST_EARNED;
+use crate::snapshot::{MOST_CHANGE, Reader, Stored, Writer, bounded, stored};
 use crate::word::{ItemId, ItemSet};
 
 /// Deeds that are felt; what is older has faded to a ten-thousandth.
@@ -248,16 +249,14 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
             action,
         };
         let surprise = target - self.worth_of(&deed, how.discount);
-        let change = Self::share(how.rate, scene) * surprise;
-        if change.is_finite() {
-            let action = usize::from(action);
-            shift(Some(&mut self.always), action, change);
-            for item in scene.on.iter() {
-                shift(self.items.get_mut(usize::from(item.0)), action, change);
-            }
-            let row = self.rows.get_mut(usize::from(scene.row));
-            shift(row, action, change);
+        let change = bounded(Self::share(how.rate, scene) * surprise, MOST_CHANGE);
+        let action = usize::from(action);
+        shift(Some(&mut self.always), action, change);
+        for item in scene.on.iter() {
+            shift(self.items.get_mut(usize::from(item.0)), action, change);
         }
+        let row = self.rows.get_mut(usize::from(scene.row));
+        shift(row, action, change);
     }
 
     /// Keeps a share of every value: what was known is believed less.
@@ -291,9 +290,8 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
         }
         let surprise = self.reward + follows - self.worth_of(&before, rates.discount);
         let change = Self::share(rates.rate, &before.scene) * surprise;
-        if change.is_finite() {
-            self.spread(change, rates.discount * rates.lambda, rates.replacing);
-        }
+        let change = bounded(change, MOST_CHANGE);
+        self.spread(change, rates.discount * rates.lambda, rates.replacing);
     }
 
     /// Moves the values of the last deeds, the older the less.
@@ -329,6 +327,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
 {
     /// Writes what actions are worth always and where an item is on, and the ends of the rewards.
     pub(super) fn carry(&self, to: &mut Writer<'_>) {
+        to.require(are_ends(self.least, self.most));
         (self.least, self.most).store(to);
         self.always.store(to);
         self.items.store(to);
@@ -349,7 +348,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
         };
         let mut ends = (0.0, 0.0);
         ends.restore(from);
-        from.require(ends.0 <= 0.0 && ends.1 >= 0.0);
+        from.require(are_ends(ends.0, ends.1));
         let always = read(from);
         if let Some(it) = &mut into {
             it.clear();
@@ -363,6 +362,11 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
             }
         }
     }
+}
+
+/// Whether rewards can lie between two numbers: that of an action that brought nothing, too.
+fn are_ends(least: f32, most: f32) -> bool {
+    (-MOST_EARNED..=0.0).contains(&least) && (0.0..=MOST_EARNED).contains(&most)
 }
 
 fn shift<const ACTIONS: usize>(worth: Option<&mut [f32; ACTIONS]>, action: usize, change: f32) {
@@ -384,10 +388,12 @@ stored! { impl[const WORDS: usize] Deed<WORDS> { scene, action } }
 stored! {
     impl[const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: usize]
     Sarsa<WORDS, ITEMS, ACTIONS, ROWS> {
-        always, items, rows, owners, crowding, deeds,
+        always, items, rows, owners, crowding => up_to 1.1, deeds,
         newest if |it: &u8| usize::from(*it) < FELT,
         count if |it: &u8| usize::from(*it) <= FELT,
-        reward, least, most
+        reward => within MOST_EARNED,
+        least if |it: &f32| *it <= 0.0 => within MOST_EARNED,
+        most => up_to MOST_EARNED
     }
 }
 

@@ -11,6 +11,16 @@ use crate::word::{ActionId, ItemId};
 /// The greatest reward, and the greatest harm, of one action.
 pub const MOST_REWARD: f32 = 1.0e4;
 
+/// The most that a step brings: an item's worth for each of fewer than 255, and a reward beside.
+pub(super) const MOST_EARNED: f32 = 256.0 * MOST_REWARD;
+
+/// The most that anything is worth: more than the most of every step, for ever, where the future is
+/// discounted by as little as a number can tell.
+pub(super) const MOST_WORTH: f32 = 1.0e14;
+
+/// The most that squared differences of what samples are worth sum up to.
+pub(super) const MOST_SQUARES: f32 = 65_536.0 * 4.0 * MOST_WORTH * MOST_WORTH;
+
 /// A set of actions, for a choice among some of them.
 ///
 /// ```

@@ -4,6 +4,7 @@
 
 use super::moment::Moment;
 use super::relevance::Relevance;
+use super::step::MOST_SQUARES;
 use crate::snapshot::stored;
 use crate::word::ItemSet;
 
@@ -167,7 +168,9 @@ impl<const ITEMS: usize, const ACTIONS: usize> Tally<ITEMS, ACTIONS> {
             let off_sum = self.sum - share.on_sum - share.unknown_sum;
             let difference = share.on_sum / on - off_sum / off;
             let gain = difference * difference * (on * off / (on + off));
-            if gain <= floor {
+            // What sums that cannot be so tell apart, after a bit turned, is nothing.
+            let tells = gain > floor && gain <= MOST_SQUARES;
+            if !tells {
                 continue;
             }
             let rest = (spread - gain).max(floor);
@@ -199,6 +202,6 @@ impl<const ITEMS: usize, const ACTIONS: usize> Tally<ITEMS, ACTIONS> {
 stored! { impl[] Share { on, unknown, on_sum, unknown_sum } }
 stored! {
     impl[const ITEMS: usize, const ACTIONS: usize] Tally<ITEMS, ACTIONS> {
-        count, sum, squares, old, old_sum, now, before, after
+        count, sum, squares => up_to MOST_SQUARES, old, old_sum, now, before, after
     }
 }

@@ -6,6 +6,7 @@
 //! it: an unknown item costs what it was worth.
 
 use super::moment::Moment;
+use super::step::MOST_WORTH;
 use crate::snapshot::stored;
 
 /// A node that asks nothing.
@@ -218,7 +219,7 @@ pub(super) const DEEP: usize = 24;
 /// Who is shown contexts: features and whether they hold, and what the action is worth there.
 pub(super) type See<'a> = &'a mut dyn FnMut(&[(u8, bool)], f32);
 
-stored! { impl[] Node { value, kids, feature, share } }
+stored! { impl[] Node { value => within MOST_WORTH, kids, feature, share } }
 stored! {
     impl[const ITEMS: usize, const ACTIONS: usize, const LEAVES: usize]
     Trees<ITEMS, ACTIONS, LEAVES> { roots, pairs, used }

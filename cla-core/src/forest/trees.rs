@@ -304,7 +304,7 @@ impl<
 {
     /// Mends samples and trees; answers how many.
     pub(super) fn audit(&mut self) -> u32 {
-        let mut mended = self.memory.audit(ACTIONS);
+        let mut mended = u32::from(self.memory.audit());
         for member in &mut self.members {
             mended += member.audit();
         }

@@ -3,7 +3,7 @@
 use super::schema::{PatternId, Schema};
 use super::tables::KnowledgeBase;
 use crate::snapshot::{LARGEST, LARGEST_VALUE};
-use crate::word::{ActionId, ItemId};
+use crate::word::{ActionId, ItemId, ItemSet};
 
 impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     KnowledgeBase<WORDS, PATTERNS, SCHEMAS>
@@ -12,12 +12,8 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     ///
     /// `actions` is how many the robot has.
     pub(crate) fn lost(&self, actions: u16) -> Option<&'static str> {
-        let worth = |(item, &value): (u16, &f32)| {
-            let valued = self.valued.contains(ItemId(item));
-            (0.0..=LARGEST_VALUE).contains(&value) && (valued == (value > 0.0))
-        };
-        let mut values = (0_u16..).zip(self.inherent.as_flattened());
-        if !values.all(worth) {
+        let mut values = self.inherent.as_flattened().iter();
+        if !values.all(|value| (0.0..=LARGEST_VALUE).contains(value)) {
             return Some("what is worth having");
         }
         let known =
@@ -60,12 +56,24 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             self.discount = 0.0;
             mended += 1;
         }
-        // Patterns that no schema needs are no fault: schemas may have been forgotten.
+        // Patterns that no schema needs are no fault.
         if mended > 0 {
             self.drop_unused_patterns();
         }
+        let valued = self.valued;
         self.rebuild();
-        mended
+        mended + u32::from(self.valued != valued)
+    }
+
+    /// Marks the items that are worth something for their own sake.
+    pub(super) fn mark_valued(&mut self) {
+        self.valued = ItemSet::EMPTY;
+        for (item, value) in (0_u16..).zip(self.inherent.as_flattened()) {
+            if *value > 0.0 {
+                // It has a slot, so it has a bit.
+                let _ = self.valued.insert(ItemId(item));
+            }
+        }
     }
 
     fn drop_unsound(&mut self, actions: u16) -> u32 {

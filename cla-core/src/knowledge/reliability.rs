@@ -103,7 +103,7 @@ impl Reliability {
 
     /// Whether its numbers can be so.
     pub(super) fn is_sound(&self) -> bool {
-        self.successes <= self.activations && (-ROUNDING..=1.0 + ROUNDING).contains(&self.recent)
+        self.successes <= self.activations && (0.0..=1.0 + ROUNDING).contains(&self.recent)
     }
 
     /// Trials so far.

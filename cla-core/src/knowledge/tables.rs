@@ -5,7 +5,7 @@
 
 use super::reliability::{Estimate, Reliability};
 use super::schema::{NONE, PatternId, Schema, SchemaId};
-use crate::snapshot::{LARGEST_VALUE, stored};
+use crate::snapshot::{LARGEST, LARGEST_VALUE, stored};
 use crate::word::{ActionId, Cost, ItemSet, ItemStates, SchemaText, SignedItems};
 
 /// A conjunction that stands in schemas, with what being there is worth.
@@ -181,8 +181,15 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             .map(|pattern| pattern.value)
     }
 
+    /// Forgets everything but inherent values.
+    pub(crate) fn clear(&mut self) {
+        self.forget_schemas();
+        self.discount = 0.0;
+        self.losses = Losses::default();
+    }
+
     /// Forgets all schemas and deferred values; inherent values and counted losses stay.
-    pub fn forget_schemas(&mut self) {
+    pub(crate) fn forget_schemas(&mut self) {
         self.schemas.clear();
         self.patterns.clear();
         self.deferred = [[0.0; 32]; WORDS];
@@ -441,7 +448,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize> Default
 // are found again.
 stored! {
     impl[const WORDS: usize] Pattern<WORDS> {
-        items, value if |it: &f32| *it >= 0.0;
+        items, value => up_to LARGEST;
         then: 0.0, first: NONE, holds: false
     }
     counted patterns
@@ -452,8 +459,8 @@ stored! { impl[] Losses { evicted_schemas, refused_schemas, refused_patterns } }
 stored! {
     impl[const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize]
     KnowledgeBase<WORDS, PATTERNS, SCHEMAS> {
-        patterns, schemas, inherent => within LARGEST_VALUE, valued,
-        deferred => within LARGEST_VALUE, discount if |it: &f32| (0.0..1.0).contains(it),
+        patterns, schemas, inherent => up_to LARGEST_VALUE, valued,
+        deferred => up_to LARGEST_VALUE, discount if |it: &f32| (0.0..1.0).contains(it),
         next_value, losses, cost;
         least_standing: 0
     }
@@ -467,6 +474,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         for pattern in &mut self.patterns {
             pattern.then = self.discount * pattern.value;
         }
+        self.mark_valued();
         self.link();
     }
 }

@@ -1,7 +1,7 @@
 //! The second level looked through for what cannot be so.
 
 use super::belief::{BeliefTable, Row};
-use super::second_level::SecondLevel;
+use super::second_level::{MOST_SHARE, SecondLevel};
 use crate::knowledge::{KnowledgeBase, SyntheticId};
 use crate::snapshot::{LARGEST, LARGEST_COUNT, Stored};
 use crate::word::ActionId;
@@ -99,7 +99,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             &mut self.rates.discount,
             &mut self.rates.experience,
         ] {
-            if !within(*share, 1.1) {
+            if !within(*share, MOST_SHARE) {
                 *share = 0.0;
                 mended += 1;
             }

@@ -8,7 +8,7 @@
 
 use crate::knowledge::{SchemaId, SyntheticId};
 use crate::num::ordered::{insert, remove};
-use crate::snapshot::{LARGEST_COUNT, stored};
+use crate::snapshot::{LARGEST, LARGEST_COUNT, stored};
 use crate::word::{ActionId, Cost};
 
 /// Stands for a schema that may have left; no table is as large.
@@ -116,6 +116,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
         self.clock = 0;
         self.rows.clear();
         self.beliefs.clear();
+        self.losses = BeliefLosses::default();
     }
 
     /// A row for a schema: a new one, a free one, that of the item that has been out of use the
@@ -393,12 +394,12 @@ stored! {
     impl[const ACTIONS: usize] Row<ACTIONS> {
         schema,
         action,
-        value,
+        value => up_to LARGEST,
         experienced,
-        visits => within LARGEST_COUNT,
-        eligibility => within 1.0,
+        visits => up_to LARGEST_COUNT,
+        eligibility => up_to 1.0,
         used,
-        tried => within LARGEST_COUNT
+        tried => up_to LARGEST_COUNT
         ;
         then: 0.0
     }

@@ -2,7 +2,7 @@
 
 use super::belief::{Belief, Row};
 use super::rates::Rates;
-use super::second_level::SecondLevel;
+use super::second_level::{MOST_SHARE, SecondLevel};
 use crate::knowledge::Reliability;
 use crate::snapshot::{LARGEST, LARGEST_COUNT, Reader, Stored, Writer};
 
@@ -13,18 +13,14 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
     pub(crate) fn carry(&self, to: &mut Writer<'_>) {
         self.rates.store(to);
         self.predictions.store(to);
+        to.limits.up_to(MOST_SHARE);
         (self.slow, self.fast).store(to);
+        to.limits.within(LARGEST);
         self.table.clock.store(to);
         self.rows().store(to);
         to.limits.synthetic = self.rows();
         for row in &self.table.rows {
-            row.schema.store(to);
-            row.action.store(to);
-            for number in [row.value, row.experienced, row.visits] {
-                number.store(to);
-            }
-            row.used.store(to);
-            row.tried.store(to);
+            row.carry(to);
         }
         self.table.beliefs.store(to);
     }
@@ -35,10 +31,10 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         let (mut shares, mut clock) = ((0.0, 0.0), 0);
         rates.restore(from);
         predictions.restore(from);
+        from.limits.up_to(MOST_SHARE);
         shares.restore(from);
+        from.limits.within(LARGEST);
         clock.restore(from);
-        let share = 0.0..=1.1;
-        from.require(share.contains(&shares.0) && share.contains(&shares.1));
         if let Some(it) = &mut into {
             it.clear();
             (it.rates, it.predictions) = (rates, predictions);
@@ -48,7 +44,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         let rows = from.count("synthetic items", SYNTHETIC);
         from.limits.synthetic = rows as u16;
         for _ in 0..rows {
-            let row = row(actions, from);
+            let row = Row::taken(actions, from);
             if from.is_wrong() {
                 return;
             }
@@ -70,19 +66,36 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
     }
 }
 
-fn row<const ACTIONS: usize>(actions: usize, from: &mut Reader<'_>) -> Row<ACTIONS> {
-    let mut row = Row::BLANK;
-    row.schema.restore(from);
-    row.action.restore(from);
-    for number in [&mut row.value, &mut row.experienced, &mut row.visits] {
-        number.restore(from);
+impl<const ACTIONS: usize> Row<ACTIONS> {
+    fn carry(&self, to: &mut Writer<'_>) {
+        self.schema.store(to);
+        self.action.store(to);
+        to.limits.up_to(LARGEST);
+        self.value.store(to);
+        to.limits.within(LARGEST);
+        self.experienced.store(to);
+        to.limits.up_to(LARGEST_COUNT);
+        self.visits.store(to);
+        self.used.store(to);
+        self.tried.store(to);
+        to.limits.within(LARGEST);
     }
-    row.used.restore(from);
-    for tried in row.tried.iter_mut().take(actions) {
-        tried.restore(from);
-        from.require((0.0..=LARGEST_COUNT).contains(tried));
+
+    fn taken(actions: usize, from: &mut Reader<'_>) -> Self {
+        let mut row = Self::BLANK;
+        row.schema.restore(from);
+        row.action.restore(from);
+        from.limits.up_to(LARGEST);
+        row.value.restore(from);
+        from.limits.within(LARGEST);
+        row.experienced.restore(from);
+        from.limits.up_to(LARGEST_COUNT);
+        row.visits.restore(from);
+        row.used.restore(from);
+        for tried in row.tried.iter_mut().take(actions) {
+            tried.restore(from);
+        }
+        from.limits.within(LARGEST);
+        row
     }
-    let sound = (0.0..=LARGEST).contains(&row.value) && (0.0..=LARGEST_COUNT).contains(&row.visits);
-    from.require(sound);
-    row
 }

@@ -31,4 +31,4 @@ impl Rates {
     }
 }
 
-stored! { impl[] Rates { discount => within 1.0, experience => within 1.0 } }
+stored! { impl[] Rates { discount => up_to 1.0, experience => up_to 1.0 } }

@@ -13,12 +13,14 @@ use crate::choice::{Appraisal, Preference, ValueConfig, Voice, most_worth, state
 use crate::knowledge::{
     KnowledgeBase, Others, PatternId, Reliability, Schema, SchemaId, SyntheticId,
 };
-use crate::snapshot::{LARGEST, stored};
+use crate::snapshot::{LARGEST, MOST_CHANGE, bounded, stored};
 use crate::word::{ActionId, Cost, ItemStates};
 
 /// Weights of a new prediction in the slow and the fast share of right ones.
 const SLOW: f32 = 0.000_5;
 const FAST: f32 = 0.02;
+/// The most that a share of right predictions is, rounding included.
+pub(super) const MOST_SHARE: f32 = 1.1;
 /// Eligibility below which a state no longer feels a reward.
 const FELT: f32 = 0.01;
 
@@ -106,6 +108,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
 
     pub(crate) fn clear(&mut self) {
         self.table.clear();
+        self.rates = Rates::NONE;
         self.next_value = 0;
         self.predictions = Reliability::ZERO;
         self.slow = 0.0;
@@ -281,9 +284,7 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             return;
         };
         let error = reward + discount * after.experienced - before.experienced;
-        if error.abs() > LARGEST {
-            return;
-        }
+        let error = bounded(error, MOST_CHANGE);
         let mut felt = 0;
         let fading = discount * config.lambda;
         // From so many visits on a visit's share is below the learning rate, whatever the rounding.
@@ -586,7 +587,8 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize> Default
 stored! {
     impl[const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize]
     SecondLevel<ACTIONS, SYNTHETIC, BELIEFS> {
-        table, rates, next_value, predictions, slow => within 1.1, fast => within 1.1
+        table, rates, next_value, predictions, slow => up_to MOST_SHARE,
+        fast => up_to MOST_SHARE
     }
 }
 

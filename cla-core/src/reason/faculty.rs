@@ -623,7 +623,7 @@ stored! {
         known, imagined, believed, here, next, front, sweep, upward, moving, moved, stale, fresher,
         values => within MOST,
         aim,
-        kept => within 1.1
+        kept => up_to 1.1
     }
 }
 

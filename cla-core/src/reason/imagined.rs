@@ -7,7 +7,7 @@
 //! A full graph forgets, some states a tick, what was only imagined, and begins anew when that is not
 //! enough.
 
-use crate::snapshot::{stored, stored_codes};
+use crate::snapshot::{bounded, stored, stored_codes};
 use crate::word::{ItemId, ItemSet, SignedItems};
 
 /// A link to a state that cannot be, or that found no place.
@@ -16,6 +16,11 @@ const REFUSED: u16 = u16::MAX;
 pub(super) const NEVER: u8 = u8::MAX;
 /// The most actions to a goal.
 const FARTHEST: u8 = 100;
+
+/// The most that arriving in a state brings: a million for each of up to 255 items.
+const MOST_WORTH: f32 = 256.0e6;
+/// The most that may be had from there on, discounted by .95, and what rounding adds.
+const MOST_VALUE: f32 = 1.0e10;
 
 /// It was perceived.
 const VISITED: u8 = 1;
@@ -333,7 +338,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const NODES: 
                 && !node.is_free()
                 && node.on.contains(item)
             {
-                node.worth += more;
+                node.worth = bounded(node.worth + more, MOST_WORTH);
             }
         }
     }
@@ -570,7 +575,8 @@ stored_codes!(Room {
 });
 stored! {
     impl[const WORDS: usize, const ACTIONS: usize] Node<WORDS, ACTIONS> {
-        on, links, lived, doubted, worth, value, next, distance, marks
+        on, links, lived, doubted, worth => within MOST_WORTH, value => within MOST_VALUE, next,
+        distance, marks
     }
 }
 stored! {

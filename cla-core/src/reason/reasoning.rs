@@ -128,10 +128,8 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize> Reasoning<WOR
         _: (usize, usize),
         from: &mut Reader<'_>,
     ) {
-        if schemas > 0 {
-            let _ = from.count("schemas", 0);
-            from.refuse();
-        }
+        // Where there could be none, nothing was kept.
+        let _ = from.fit("schemas", schemas as u32, 0);
     }
 
     fn begin(&mut self, _: [f32; ITEMS], _: u64) {}

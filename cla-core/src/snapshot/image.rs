@@ -92,6 +92,9 @@ pub fn length<B: Snapshot>(brain: &B) -> Result<u32, SaveError<Infallible>> {
 /// to be written; the sink gets pieces of at most 64 bytes, in order.
 /// Answers the bytes of the image.
 ///
+/// A brain whose memory may have lost a bit is looked through first (`audit`): what is damaged is
+/// refused here, and what is sound is saved.
+///
 /// A brain that is too large for the stack is copied in this way, too: saved, and loaded into another
 /// that was born in its place; `clone` goes over the stack.
 ///
@@ -205,6 +208,9 @@ impl<B> Parts<B> {
 ///
 /// The source is read twice: the first pass checks every checksum, number, range and link, and only
 /// the second one writes into the brain, in place.
+///
+/// What checksums cannot see, an image that was written to deceive, is refused or lives on with finite
+/// numbers; an audit mends it, which is worth its time where others can write the medium.
 ///
 /// See [`save`] for an example.
 ///

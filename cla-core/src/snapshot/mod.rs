@@ -43,7 +43,7 @@ pub use header::{Names, Origin, Profile};
 pub use image::{Snapshot, check, length, load, save};
 pub use knowledge::{Knowing, load_knowledge, save_knowledge};
 pub use limits::Limits;
-pub(crate) use limits::{LARGEST, LARGEST_COUNT, LARGEST_VALUE};
+pub(crate) use limits::{LARGEST, LARGEST_COUNT, LARGEST_VALUE, MOST_CHANGE, bounded};
 pub use mender::{Flip, Mender};
 pub use port::{Sink, SinkFull, SliceSink, Source, SourceEnd};
 pub use reader::Reader;

@@ -71,16 +71,22 @@ impl<'a> Reader<'a> {
     /// Reads how many there are of something of which `most` fit; 0 where there are more.
     pub(crate) fn count(&mut self, name: &'static str, most: usize) -> usize {
         let many = u16::from_le_bytes(self.bytes());
-        if usize::from(many) <= most {
-            return usize::from(many);
+        if self.fit(name, many.into(), most) {
+            many.into()
+        } else {
+            0
         }
-        self.refuse();
-        self.unfit = self.unfit.or(Some(Unfit {
-            name,
-            image: many.into(),
-            here: most as u32,
-        }));
-        0
+    }
+
+    /// Whether so many of something fit where there is room for `most`; notes what did not.
+    pub(crate) fn fit(&mut self, name: &'static str, image: u32, most: usize) -> bool {
+        let here = most as u32;
+        let fits = image <= here;
+        if !fits {
+            self.refuse();
+            self.unfit = self.unfit.or(Some(Unfit { name, image, here }));
+        }
+        fits
     }
 
     /// What did not fit.

@@ -1,8 +1,12 @@
 //! A section of fields from several places: named once in a list, stored, checked and restored by it.
 
 macro_rules! store_fields {
-    (($it:expr, $to:expr); $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
-        $($crate::snapshot::store_fields!(@ $it, $to, ($($part).+) $($test)?);)*
+    (($it:expr, $to:expr); $($($part:ident).+ $(if $test:expr)? $(=> $bound:ident $most:expr)?),* $(,)?) => {{
+        $(
+            $($to.limits.$bound($most);)?
+            $crate::snapshot::store_fields!(@ $it, $to, ($($part).+) $($test)?);
+            $to.limits.within($crate::snapshot::LARGEST);
+        )*
     }};
     (@ $it:expr, $to:expr, ($($part:ident).+) $($test:expr)?) => {
         let part = &$it.$($part).+;
@@ -12,8 +16,12 @@ macro_rules! store_fields {
 }
 
 macro_rules! restore_fields {
-    (($it:expr, $from:expr); $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
-        $($crate::snapshot::restore_fields!(@ $it, $from, ($($part).+) $($test)?);)*
+    (($it:expr, $from:expr); $($($part:ident).+ $(if $test:expr)? $(=> $bound:ident $most:expr)?),* $(,)?) => {{
+        $(
+            $($from.limits.$bound($most);)?
+            $crate::snapshot::restore_fields!(@ $it, $from, ($($part).+) $($test)?);
+            $from.limits.within($crate::snapshot::LARGEST);
+        )*
     }};
     (@ $it:expr, $from:expr, ($($part:ident).+) $($test:expr)?) => {
         let part = &mut $it.$($part).+;
@@ -23,8 +31,12 @@ macro_rules! restore_fields {
 }
 
 macro_rules! check_fields {
-    ($from:expr; $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
-        $($crate::snapshot::check_fields!(@ $from, ($($part).+) $($test)?);)*
+    ($from:expr; $($($part:ident).+ $(if $test:expr)? $(=> $bound:ident $most:expr)?),* $(,)?) => {{
+        $(
+            $($from.limits.$bound($most);)?
+            $crate::snapshot::check_fields!(@ $from, ($($part).+) $($test)?);
+            $from.limits.within($crate::snapshot::LARGEST);
+        )*
     }};
     (@ $from:expr, ($($part:ident).+)) => {
         $crate::snapshot::check_field(|it: &Self| &it.$($part).+, $from)
@@ -35,13 +47,17 @@ macro_rules! check_fields {
 }
 
 macro_rules! mend_fields {
-    (($it:expr, $by:expr); $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
-        $($it.$($part).+.mend($by);)*
+    (($it:expr, $by:expr); $($($part:ident).+ $(if $test:expr)? $(=> $bound:ident $most:expr)?),* $(,)?) => {{
+        $(
+            $($by.limits.$bound($most);)?
+            $it.$($part).+.mend($by);
+            $by.limits.within($crate::snapshot::LARGEST);
+        )*
     }};
 }
 
 macro_rules! flip_fields {
-    (($it:expr, $by:expr); $($($part:ident).+ $(if $test:expr)?),* $(,)?) => {{
+    (($it:expr, $by:expr); $($($part:ident).+ $(if $test:expr)? $(=> $bound:ident $most:expr)?),* $(,)?) => {{
         $($it.$($part).+.flip($by);)*
     }};
 }

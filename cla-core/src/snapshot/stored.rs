@@ -55,12 +55,12 @@ pub(crate) fn refuses<T: Stored>(it: &T, by: &mut Mender) -> bool {
 /// Implements [`Stored`] for a struct by its fields.
 ///
 /// Fields behind `;` are not stored and begin with the given value.
-/// `if` says what one field may be, `within` how far from 0 its numbers may be, `sound` what the
-/// whole, small enough for the stack, may be.
+/// `if` says what one field may be, `within` how far from 0 its numbers may be, `up_to` the same of
+/// numbers that are not negative, `sound` what the whole, small enough for the stack, may be.
 macro_rules! stored {
     (
         impl[$($generics:tt)*] $type:ty {
-            $($field:ident $(if $test:expr)? $(=> within $most:expr)?),* $(,)?
+            $($field:ident $(if $test:expr)? $(=> $bound:ident $most:expr)?),* $(,)?
             $(; $($derived:ident: $value:expr),* $(,)?)?
         }
         $(counted $counted:ident)?
@@ -73,35 +73,35 @@ macro_rules! stored {
 
             fn store(&self, to: &mut $crate::snapshot::Writer<'_>) {
                 $(
-                    $(to.limits.largest = $most;)?
+                    $(to.limits.$bound($most);)?
                     $crate::snapshot::Stored::store(&self.$field, to);
-                    to.limits.largest = $crate::snapshot::LARGEST;
+                    to.limits.within($crate::snapshot::LARGEST);
                     $(to.require($test(&self.$field));)?
                 )*
             }
 
             fn restore(&mut self, from: &mut $crate::snapshot::Reader<'_>) {
                 $(
-                    $(from.limits.largest = $most;)?
+                    $(from.limits.$bound($most);)?
                     $crate::snapshot::Stored::restore(&mut self.$field, from);
-                    from.limits.largest = $crate::snapshot::LARGEST;
+                    from.limits.within($crate::snapshot::LARGEST);
                     $(from.require($test(&self.$field));)?
                 )*
             }
 
             fn check(from: &mut $crate::snapshot::Reader<'_>) {
                 $(
-                    $(from.limits.largest = $most;)?
+                    $(from.limits.$bound($most);)?
                     $crate::snapshot::stored!(@check from, $field $(, $test)?);
-                    from.limits.largest = $crate::snapshot::LARGEST;
+                    from.limits.within($crate::snapshot::LARGEST);
                 )*
             }
 
             fn mend(&mut self, by: &mut $crate::snapshot::Mender) {
                 $(
-                    $(by.limits.largest = $most;)?
+                    $(by.limits.$bound($most);)?
                     $crate::snapshot::Stored::mend(&mut self.$field, by);
-                    by.limits.largest = $crate::snapshot::LARGEST;
+                    by.limits.within($crate::snapshot::LARGEST);
                     $(
                         if !$test(&self.$field) {
                             self.$field = $crate::snapshot::Stored::BLANK;
@@ -302,17 +302,17 @@ impl Stored for f32 {
     const BLANK: Self = 0.0;
 
     fn store(&self, to: &mut Writer<'_>) {
-        to.require(self.abs() <= to.limits.largest);
+        to.require(to.limits.hold(*self));
         to.bytes(&self.to_bits().to_le_bytes());
     }
 
     fn restore(&mut self, from: &mut Reader<'_>) {
         *self = Self::from_bits(u32::from_le_bytes(from.bytes()));
-        from.require(self.abs() <= from.limits.largest);
+        from.require(from.limits.hold(*self));
     }
 
     fn mend(&mut self, by: &mut Mender) {
-        if !(-by.limits.largest..=by.limits.largest).contains(self) {
+        if !by.limits.hold(*self) {
             *self = 0.0;
             by.count();
         }

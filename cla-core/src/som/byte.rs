@@ -222,12 +222,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize, N: Norms<WI
             norm = norm.wrapping_add(weight * weight);
         }
         if !sound {
-            let nothing = SparseStimulus {
-                on: &[],
-                minus: &[],
-                unknown: &[u32::MAX; 64],
-            };
-            self.imprint(&nothing, node);
+            self.know_nothing(node);
             return true;
         }
         let kept = self.norms.kept_mut();
@@ -397,6 +392,20 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize, N: Norms<WI
         let kept = self.norms.kept_mut();
         if let Some(kept) = kept.and_then(|it| it.as_mut_slice().get_mut(index)) {
             *kept = norm;
+        }
+    }
+
+    /// Makes all weights of a node ½.
+    fn know_nothing(&mut self, node: NodeId) {
+        let index = usize::from(node.0);
+        for column in &mut self.columns {
+            if let Some(weight) = column.as_mut_slice().get_mut(index) {
+                *weight = (ONE / 2) as i8;
+            }
+        }
+        let kept = self.norms.kept_mut();
+        if let Some(kept) = kept.and_then(|it| it.as_mut_slice().get_mut(index)) {
+            *kept = (FEATURES as i32).wrapping_mul((ONE / 2) * (ONE / 2));
         }
     }
 

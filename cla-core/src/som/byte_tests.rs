@@ -213,3 +213,14 @@ fn a_map_that_keeps_no_norms_answers_the_same() {
         }
     }
 }
+
+#[test]
+fn a_node_of_many_features_is_mended_whole() {
+    let mut map = ByteSom::<2, 1, 3000>::ZERO;
+    map.randomize(&mut Rng::new(1));
+    map.columns[7].as_mut_slice()[1] = i8::MIN;
+    assert!(!map.audit(NodeId(0)) && map.audit(NodeId(1)));
+    let weights = [0, 2047, 2048, 2999].map(|feature| map.weight(NodeId(1), feature));
+    assert_eq!(weights, [63.0 / 127.0; 4]);
+    assert!(!map.audit(NodeId(1)));
+}

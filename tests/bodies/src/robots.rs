@@ -5,6 +5,9 @@
     reason = "the names of items and actions say what they are"
 )]
 
+use cla_core::forest::Mind;
+use cla_core::reason::Reason;
+
 macro_rules! speck {
     ($name:ident, $($maps:tt)+) => {
         cla_core::brain! {
@@ -28,7 +31,10 @@ speck!(floats, 2 x 2);
 speck!(bytes, 3 x 2 of bytes);
 
 /// The one learner, as small: 3 items, 2 actions, 64 samples, 4 leaves, 4 rows, 6 states, 8 links.
-pub(crate) type Mite = cla_core::forest::Mind<1, 3, 2, 4, 4, 4, 6, 8>;
+pub(crate) type Mite = Mind<1, 3, 2, 4, 4, 4, 6, 8>;
+
+/// The same with a reason: 4 remembered samples of an action, 5 schemas, 6 imagined states.
+pub(crate) type Muse = Mind<1, 3, 2, 4, 4, 4, 6, 8, Reason<1, 3, 2, 4, 5, 6>>;
 
 cla_core::brain! {
     /// The one learner with a reason.

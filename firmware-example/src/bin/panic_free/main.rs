@@ -288,9 +288,8 @@ entries! {
         let evidence = it.tried(trace, action) + it.uses(item) + it.value(item);
         evidence + it.belief(tables, trace, schema, values, config) + f32::from(u8::from(known))
     }
-    "knowledge_read" (it: &mut Tables, pattern: PatternId) -> Option<SignedItems<1>> {
+    "knowledge_read" (it: &Tables, pattern: PatternId) -> Option<SignedItems<1>> {
         let found = it.pattern(pattern).or(it.pattern(it.schemas().last()?.context));
-        it.forget_schemas();
         found.filter(|_| it.patterns() > 3)
     }
     "knowledge_values" (it: &mut Tables, now: &Percept, items: &SignedItems<1>, config: &ValueConfig) -> f32 {
