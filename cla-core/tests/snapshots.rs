@@ -118,6 +118,31 @@ fn maps_of_bytes_go_on_to_the_bit_too() {
     }
 }
 
+#[test]
+fn a_second_birth_leaves_nothing_of_the_first_life() {
+    for until in UNTIL {
+        let mut brain = Box::new(bytes::brain());
+        bytes::be_born(&mut brain, AgentConfig::RESILIENT_LEVEL2, 3).unwrap();
+        let mut lamp = Lamp::new(9);
+        lamp.live(&mut brain, 900);
+        match until {
+            Until::Training => {}
+            Until::Acting(adaptation) => brain.act(adaptation).unwrap(),
+            Until::Doubting => {
+                brain.act(Adaptation::Relearning).unwrap();
+                brain.doubt();
+            }
+            Until::Chosen => {}
+        }
+        lamp.live(&mut brain, 100);
+        brain.choose(&lamp.sense()).unwrap();
+        bytes::be_born(&mut brain, AgentConfig::FORAGER, 5).unwrap();
+        let mut newborn = Box::new(bytes::brain());
+        bytes::be_born(&mut newborn, AgentConfig::FORAGER, 5).unwrap();
+        assert!(image(&*brain) == image(&*newborn), "{until:?}");
+    }
+}
+
 /// A small brain that has learned something, and its image.
 fn learned() -> (Box<bytes::Brain>, Vec<u8>) {
     let mut brain = Box::new(bytes::brain());

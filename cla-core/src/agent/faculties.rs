@@ -58,11 +58,11 @@ impl<
 
     /// Forgets everything; these items alone are worth having from now on.
     pub(super) fn be_born(&mut self, values: &[(ItemId, f32)]) {
+        self.knowledge.clear();
         self.knowledge.set_inherent_values(values);
-        self.knowledge.forget_schemas();
         self.level2.clear();
         self.habits.clear();
-        self.trail.leave();
+        self.trail = Trail::NONE;
         self.alarm = Alarm::NONE;
     }
 

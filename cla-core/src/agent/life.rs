@@ -166,7 +166,9 @@ impl<
         self.faculties.be_born(values);
         self.exploration = Exploration::NONE;
         self.stage = Stage::Training;
+        self.context = ItemStates::UNKNOWN;
         self.chosen = None;
+        self.decided_after = None;
         self.since_harvest = 0;
         self.begin_health();
         self.begin_step();
@@ -348,7 +350,7 @@ impl<
         if self.stage != Stage::Acting(Adaptation::Reliabilities) && !blind {
             let sample = Sample::new(&step.before, &step.after, config.coding, ITEMS as u16);
             lesson.trained = self.bank.train(step.action, &sample, &config.training);
-            self.since_harvest += 1;
+            self.since_harvest = self.since_harvest.saturating_add(1);
             lesson.harvested = self.since_harvest >= config.harvest_every;
         }
         if lesson.harvested {
