@@ -23,8 +23,8 @@ mod words;
 /// `states` for how many situations it tells apart, where a fourteenth of the samples is not enough
 /// ([`health`](crate::forest::Mind::health) says so); `imagines` for a brain that plans: so many states it
 /// imagines at once, with schemas that foresee them ([`Reason`](crate::reason::Reason)), and it can
-/// [`pursue`](crate::forest::Mind::pursue) a goal; it cannot be saved yet; and `safe` names the action for
-/// when the brain cannot choose (`SAFE`, `choose_or_safe`).
+/// [`pursue`](crate::forest::Mind::pursue) a goal; and `safe` names the action for when the brain cannot
+/// choose (`SAFE`, `choose_or_safe`).
 /// A key that is missing is named, one that is unknown or stands twice is pointed at, and so is a
 /// value of something that is no item.
 ///
@@ -45,6 +45,33 @@ mod words;
 /// let choice = brain.choose(&moth::percept(|item| item == moth::Item::light_left))?;
 /// assert!(moth::ACTIONS.contains(&choice.action));
 /// # Ok::<(), cla_core::forest::MindError>(())
+/// ```
+///
+/// A brain is saved and loaded as the mind that it is, `&*brain`, see [`snapshot`](crate::snapshot):
+///
+/// ```
+/// cla_core::brain! {
+///     pub mod moth {
+///         items: [light_left, light_right, at_lamp, singed],
+///         actions: [left, right, forward],
+///         values: [at_lamp = 10.0, singed = -5.0],
+///         samples: 64,
+///         imagines: 16,
+///         ram: 24_000,
+///     }
+/// }
+/// use cla_core::MindConfig;
+/// use cla_core::snapshot::{self, SliceSink};
+/// let names = moth::VOCABULARY.names();
+/// let mut brain = moth::brain();
+/// moth::be_born(&mut brain, MindConfig::DEFAULT, 1)?;
+/// let mut image = vec![0; 65_536];
+/// let length = snapshot::save(&*brain, names, &mut SliceSink::new(&mut image))?;
+/// let mut other = moth::brain();
+/// snapshot::load(&mut *other, names, &mut &image[..length as usize])?;
+/// let now = moth::percept(|_| false);
+/// assert_eq!(other.choose(&now)?, brain.choose(&now)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// A percept of another robot is another type:

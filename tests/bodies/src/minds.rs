@@ -101,6 +101,7 @@ enum Call {
     Act,
     Pursue(Percept, [(u8, bool); 2], u16),
     GiveUp,
+    Value(u8, Number),
     Look(Percept),
     Resume,
 }
@@ -178,6 +179,7 @@ fn follow<
             let _ = mind.pursue(goal, limit, &now(&percept));
         }
         Call::GiveUp => mind.give_up(),
+        Call::Value(item, Number(value)) => drop(mind.revalue(ItemId(item.into()), value)),
         Call::Look(percept) => {
             let _ = mind.way(&now(&percept));
             let _ = (mind.pursuit(), mind.size(), mind.stuck());
