@@ -34,6 +34,7 @@ fn main() {
         "kernels",
         "controller",
         "mind",
+        "calls",
         "snapshot",
         "survivor",
     ] {

@@ -13,6 +13,9 @@ use crate::trace;
 /// The forager's learner: 7168 samples, 200 leaves, 512 rows, 512 states and 2048 links.
 pub type Forager = Mind<1, 7, 6, 448, 200, 512, 512, 2048>;
 
+/// The same for parts with 128 KiB of RAM: 1024 samples, and as many states.
+pub type Small = Mind<1, 7, 6, 64, 28, 512, 512, 2048>;
+
 /// What a specimen is worth: item 5 is `ingrip`.
 const VALUES: [f32; 7] = [0.0, 0.0, 0.0, 0.0, 0.0, 10.0, 0.0];
 

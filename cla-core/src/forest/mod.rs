@@ -41,7 +41,7 @@ mod unborn;
 mod voices;
 
 pub use budget::WorkBudget;
-pub use capacities::{Capacities, Thoughts};
+pub use capacities::{Bytes, Capacities, Thoughts};
 pub use config::{Doubting, Heard, MindConfig, Voice};
 pub use goals::Explanation;
 pub use inspect::Filled;

@@ -164,7 +164,7 @@ pub(crate) fn fullest(tables: &[(u32, u32)]) -> f32 {
         let share = if all == 0 {
             0.0
         } else {
-            used as f32 / all as f32
+            used.min(all) as f32 / all as f32
         };
         if share > fullest {
             fullest = share;
@@ -256,6 +256,8 @@ mod tests {
     #[test]
     fn the_fullest_table_counts_and_one_without_places_does_not() {
         assert_eq!(fullest(&[(1, 4), (3, 4), (0, 0)]), 0.75);
+        // Trees have a leaf for each action beside those that they were given.
+        assert_eq!(fullest(&[(28, 24)]), 1.0);
         assert_eq!(fullest(&[]), 0.0);
     }
 }

@@ -248,3 +248,59 @@ fn bytes_of_the_cores_code_are_those_of_the_budget() {
     assert!(at_s[0] <= 16 * 1024 && at_s[1] <= 32 * 1024, "{at_s:?}");
     hold("flash", HEAD, &rows, Tolerance::Padding);
 }
+
+const CALLS_HEAD: &str =
+    "| Cortex-M4F | choose, mean | 99 % of them | worst | learn, mean | 99 % of them | worst |";
+
+/// Robots of `calls`, and the most that a call may take; `None` for one that says what it takes.
+const ROBOTS: [(&str, Option<u64>); 5] = [
+    ("forager", Some(120_000)),
+    ("small", Some(105_000)),
+    ("twelve items", Some(120_000)),
+    ("twelve items and plans", None),
+    ("twelve items and plans, at 1400 units", Some(120_000)),
+];
+
+#[test]
+fn calls_of_the_learner_for_any_world_are_bounded_whatever_the_robot() {
+    let mind = run_once(&Build::new(Target::M4f, "mind"));
+    let calls = run_once(&Build::new(Target::M4f, "calls"));
+    let recorded = |kind: &str, word: &str| Some(number(&mind, kind, word));
+    let mut rows = Rows::new();
+    rows.push((
+        "forager, the recorded life".to_owned(),
+        vec![
+            recorded("choose", "mean"),
+            None,
+            recorded("choose", "worst"),
+            recorded("learn", "mean"),
+            None,
+            recorded("learn", "worst"),
+        ],
+    ));
+    for (robot, most) in ROBOTS {
+        let line = calls.after(&format!("{robot}:")).expect("its life");
+        let (_, kinds) = line.split_once(" choose ").expect("both kinds");
+        let (choose, learn) = kinds.split_once(" learn ").expect("both kinds");
+        let word = |kind: &str, word: &str| -> u64 {
+            let mut words = kind.split_whitespace().skip_while(|&it| it != word);
+            let number = words.nth(1).and_then(|it| it.parse().ok());
+            number.unwrap_or_else(|| panic!("{word}: {line}"))
+        };
+        let words = ["mean", "most", "worst"];
+        let numbers = [choose, learn].map(|kind| words.map(|it| word(kind, it)));
+        if let Some(most) = most {
+            assert!(numbers[0][2].max(numbers[1][2]) <= most, "{robot}: {line}");
+        }
+        // A life whose tables fill, and in which the reward stayed away.
+        assert!(
+            word(learn, "alarms") > 0 && word(learn, "fullest") >= 98,
+            "{line}"
+        );
+        rows.push((
+            robot.to_owned(),
+            numbers.concat().into_iter().map(Some).collect(),
+        ));
+    }
+    hold("calls", CALLS_HEAD, &rows, Tolerance::Percent);
+}
