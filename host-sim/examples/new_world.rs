@@ -6,7 +6,7 @@
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::word::ActionId;
 use host_sim::failure::Failure;
-use host_sim::learner::forager::percept;
+use host_sim::learner::native::narrowed;
 use host_sim::learner::{Learner, live};
 use host_sim::world::{Percept, World};
 use snail::Item;
@@ -89,17 +89,17 @@ struct Snail(Box<snail::Brain>, Vec<(Option<bool>, usize)>);
 
 impl Learner for Snail {
     fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
-        Ok(usize::from(self.0.choose(&percept(now))?.action.0))
+        Ok(usize::from(self.0.choose(&narrowed(now))?.action.0))
     }
 
     fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
-        self.0.learn(&percept(now))?;
+        self.0.learn(&narrowed(now))?;
         Ok(())
     }
 
     fn observe(&mut self, before: &Percept, by: usize, now: &Percept) -> Result<(), Failure> {
         self.1.push((before.get(Item::touched.id()), by));
-        let (before, now) = (percept(before), percept(now));
+        let (before, now) = (narrowed(before), narrowed(now));
         self.0.observe(&before, ActionId(by as u16), &now)?;
         Ok(())
     }

@@ -12,7 +12,7 @@ use cla_core::word::ActionId;
 use firmware_example::replay::{acting_at, second_level_at};
 use firmware_example::trace::{ACTIONS, SEED, Step};
 use host_sim::failure::Failure;
-use host_sim::learner::forager::percept;
+use host_sim::learner::native::narrowed;
 use host_sim::learner::{Learner, live};
 use host_sim::report::Output;
 use host_sim::world::config::PioneerConfig;
@@ -41,13 +41,13 @@ impl Recorder {
 impl Learner for Recorder {
     fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
         let action = Learner::choose(&mut *self.brain, now)?;
-        self.chosen = Some((percept(now), ActionId(action as u16)));
+        self.chosen = Some((narrowed(now), ActionId(action as u16)));
         Ok(action)
     }
 
     fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
         if let Some((before, action)) = self.chosen.take() {
-            self.note(&before, action, &percept(now), false);
+            self.note(&before, action, &narrowed(now), false);
         }
         Learner::learn(&mut *self.brain, now)
     }
@@ -59,9 +59,9 @@ impl Learner for Recorder {
         after: &world::Percept,
     ) -> Result<(), Failure> {
         self.note(
-            &percept(before),
+            &narrowed(before),
             ActionId(action as u16),
-            &percept(after),
+            &narrowed(after),
             true,
         );
         Learner::observe(&mut *self.brain, before, action, after)

@@ -7,10 +7,11 @@ use std::sync::Arc;
 
 use cla_core::forest::{Mind, MindConfig};
 use cla_core::reason::Reason;
-use cla_core::snapshot::{self, Names, Sink, Snapshot};
+use cla_core::snapshot::{Names, Snapshot};
 use cla_core::word::{ActionId, ItemId};
 use host_sim::failure::Failure;
 use host_sim::learner::digest::{Digest, Digested};
+use host_sim::learner::image::image_of;
 use host_sim::learner::mind::Minded;
 use host_sim::learner::native::narrowed;
 use host_sim::learner::rewarded::rewarded;
@@ -33,22 +34,10 @@ fn file() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("python/tests/lives.json")
 }
 
-struct Memory(Vec<u8>);
-
-impl Sink for Memory {
-    type Error = std::convert::Infallible;
-
-    fn write(&mut self, piece: &[u8]) -> Result<(), Self::Error> {
-        self.0.extend_from_slice(piece);
-        Ok(())
-    }
-}
-
 fn image(mind: &impl Snapshot, world: &dyn World) -> Result<String, Failure> {
-    let mut image = Memory(Vec::new());
-    snapshot::save(mind, Names::of(world.items(), world.actions()), &mut image)?;
+    let image = image_of(mind, Names::of(world.items(), world.actions()))?;
     // An image ends with its own checksum.
-    let checksum = image.0.last_chunk().ok_or("an image has bytes")?;
+    let checksum = image.last_chunk().ok_or("an image has bytes")?;
     Ok(format!("{:08x}", u32::from_le_bytes(*checksum)))
 }
 

@@ -4,7 +4,7 @@
 //! `CLA_CUTS` says how many moments of a power cut are tried at least (`tests/run cuts`).
 
 use cla_core::flash::{FlashStore, FlashTiming, LayoutError};
-use host_sim::device::flash::cuts::{Cuts, History, cut_everywhere, pages_of_slot};
+use host_sim::device::flash::cuts::{Cuts, History, on_every_shape, pages_of_slot};
 use host_sim::device::flash::decay::{rot, wear_out};
 use host_sim::device::flash::fake::FakeFlash;
 use host_sim::device::flash::toy::{Age, ages, image, names, robot};
@@ -18,22 +18,11 @@ fn some() -> Vec<Age> {
     ages
 }
 
-/// One history on each shape of flash: words of 1 to 32 bytes, pages of 64 to 4096, 2 to 4 slots.
-fn on_every_shape(ages: &[Age], history: History) -> Cuts {
+/// All of them survived.
+fn on_all_shapes(ages: &[Age], history: History) -> Cuts {
     let mut cuts = Cuts::default();
-    let runs: [(&str, Result<Cuts, LayoutError>); 6] = [
-        ("4, 4096, 2", cut_everywhere::<4, 4096, 2>(ages, history)),
-        ("1, 64, 2", cut_everywhere::<1, 64, 2>(ages, history)),
-        ("8, 512, 3", cut_everywhere::<8, 512, 3>(ages, history)),
-        ("32, 1024, 2", cut_everywhere::<32, 1024, 2>(ages, history)),
-        ("16, 256, 4", cut_everywhere::<16, 256, 4>(ages, history)),
-        (
-            "256, 4096, 2",
-            cut_everywhere::<256, 4096, 2>(ages, history),
-        ),
-    ];
+    let runs = on_every_shape(ages, history).expect("the slots are large enough");
     for (shape, run) in runs {
-        let run = run.expect("the slots are large enough");
         assert!(run.points > 100, "{shape}: {run:?}");
         assert!(run.all_survived(), "{shape}, {history:?}: {run:?}");
         cuts.add(&run);
@@ -55,7 +44,7 @@ fn no_committed_generation_is_lost_wherever_the_power_is_cut() {
             corrects_errors: seed % 2 == 1,
             again_after: 7,
         };
-        cuts.add(&on_every_shape(&ages, history));
+        cuts.add(&on_all_shapes(&ages, history));
         seed += 1;
     }
     println!("{cuts:?}");

@@ -3,8 +3,9 @@
 use cla_core::forest::{Actions, Deliberation, Feature, Mind, MindConfig, MindError, Voice};
 use cla_core::growth::SimpleSchema;
 use cla_core::reason::{Pursuit, Reason, Reasoning, Way};
-use cla_core::snapshot::{self, Names, Sink, Stored};
+use cla_core::snapshot::{self, Names, Stored};
 use cla_core::word::{ActionId, ItemId, ItemStates, SignedItems};
+use host_sim::learner::image::image_of;
 use host_sim::world::Percept;
 
 /// A context, an action and what follows, by the numbers of items.
@@ -106,18 +107,6 @@ pub(crate) struct Life<M> {
     mind: Box<M>,
     items: usize,
     actions: usize,
-}
-
-/// An image in memory.
-struct Memory(Vec<u8>);
-
-impl Sink for Memory {
-    type Error = std::convert::Infallible;
-
-    fn write(&mut self, piece: &[u8]) -> Result<(), Self::Error> {
-        self.0.extend_from_slice(piece);
-        Ok(())
-    }
 }
 
 /// A percept in the words of a mind; items that the robot does not have are off for ever.
@@ -333,9 +322,7 @@ where
     }
 
     fn save(&self, names: Names) -> Result<Vec<u8>, String> {
-        let mut image = Memory(Vec::new());
-        let saved = snapshot::save(&*self.mind, names, &mut image);
-        saved.map(|_| image.0).map_err(|it| it.to_string())
+        image_of(&*self.mind, names).map_err(|it| it.to_string())
     }
 
     fn load(&mut self, names: Names, image: &[u8]) -> Result<(), String> {

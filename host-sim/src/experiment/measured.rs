@@ -3,6 +3,9 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use crate::report::{Table, mean, sample_sd};
 
 /// Everything that was measured with one seed.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -46,4 +49,27 @@ pub(crate) fn of(trials: &[Trial], name: &str) -> Vec<f64> {
 /// The first numbers of a course together, seed by seed.
 pub(crate) fn sums(trials: &[Trial], name: &str, count: usize) -> Vec<f64> {
     trials.iter().map(|trial| trial.sum(name, count)).collect()
+}
+
+/// To three digits behind the point.
+pub(crate) fn rounded(number: f64) -> Value {
+    json!((number * 1000.0).round() / 1000.0)
+}
+
+/// Everything that is one number a seed.
+pub(crate) fn table(trials: &[Trial]) -> Table {
+    let mut table = Table::new(&["what", "mean", "standard deviation", "n"]);
+    let names = trials.first().map(|it| &it.measured);
+    for (name, numbers) in names.into_iter().flatten() {
+        if numbers.len() == 1 {
+            let seeds = of(trials, name);
+            table.row([
+                json!(name),
+                rounded(mean(&seeds)),
+                rounded(sample_sd(&seeds)),
+                json!(seeds.len()),
+            ]);
+        }
+    }
+    table
 }

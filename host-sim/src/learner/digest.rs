@@ -1,10 +1,8 @@
 //! One number for a life: equal where two lives are, to the bit, in whatever language they were led.
 
-use super::{Learner, Thought};
+use super::Learner;
 use crate::failure::Failure;
 use crate::world::Percept;
-use crate::world::damage::Damage;
-use cla_core::word::Cost;
 
 /// All that was perceived, done and felt, in its order, as 64 bits (FNV-1a).
 ///
@@ -116,10 +114,6 @@ impl Learner for Digested<'_> {
         self.learner.learn_with(now, reward)
     }
 
-    fn interrupt(&mut self) -> Result<(), Failure> {
-        self.learner.interrupt()
-    }
-
     fn observe(&mut self, before: &Percept, action: usize, now: &Percept) -> Result<(), Failure> {
         self.digest.percept(before);
         self.digest.action(action);
@@ -127,31 +121,6 @@ impl Learner for Digested<'_> {
         self.learner.observe(before, action, now)
     }
 
-    fn act(&mut self) -> Result<(), Failure> {
-        self.learner.act()
-    }
-
-    fn cost(&self) -> Option<Cost> {
-        self.learner.cost()
-    }
-
-    fn hear(&mut self, damage: &Damage) {
-        self.learner.hear(damage);
-    }
-
-    fn reliabilities(&self) -> Vec<f64> {
-        self.learner.reliabilities()
-    }
-
-    fn predictions(&self) -> (u32, u32) {
-        self.learner.predictions()
-    }
-
-    fn alarms(&self) -> u32 {
-        self.learner.alarms()
-    }
-
-    fn reason(&self) -> Thought {
-        self.learner.reason()
-    }
+    within!(self => *self.learner;
+        interrupt act cost hear reliabilities predictions alarms worth image go_on_from reason);
 }

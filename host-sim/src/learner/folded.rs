@@ -1,11 +1,8 @@
 //! A learner with more actions than its world has: the others do again what the first ones do.
 
-use cla_core::word::Cost;
-
 use super::{Learner, Thought};
 use crate::failure::Failure;
 use crate::world::Percept;
-use crate::world::damage::Damage;
 
 /// Any learner, in a world of so many actions.
 ///
@@ -39,45 +36,9 @@ impl<L: Learner> Learner for Folded<L> {
         Ok(self.learner.choose(now)? % self.actions)
     }
 
-    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
-        self.learner.learn(now)
-    }
-
-    fn learn_with(&mut self, now: &Percept, reward: f32) -> Result<(), Failure> {
-        self.learner.learn_with(now, reward)
-    }
-
-    fn interrupt(&mut self) -> Result<(), Failure> {
-        self.learner.interrupt()
-    }
-
-    fn observe(&mut self, before: &Percept, action: usize, after: &Percept) -> Result<(), Failure> {
-        self.learner.observe(before, action, after)
-    }
-
-    fn act(&mut self) -> Result<(), Failure> {
-        self.learner.act()
-    }
-
-    fn cost(&self) -> Option<Cost> {
-        self.learner.cost()
-    }
-
-    fn hear(&mut self, damage: &Damage) {
-        self.learner.hear(damage);
-    }
-
-    fn reliabilities(&self) -> Vec<f64> {
-        self.learner.reliabilities()
-    }
-
-    fn predictions(&self) -> (u32, u32) {
-        self.learner.predictions()
-    }
-
-    fn alarms(&self) -> u32 {
-        self.learner.alarms()
-    }
+    within!(self => self.learner;
+        learn learn_with interrupt observe act cost hear reliabilities predictions alarms worth image
+        go_on_from);
 
     fn reason(&self) -> Thought {
         Thought {

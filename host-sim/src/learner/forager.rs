@@ -4,77 +4,12 @@ use cla_core::adaptation::SurpriseConfig;
 use cla_core::agent::{Adaptation, Agent, AgentConfig, Choice, Reason};
 use cla_core::forager::pioneer::{self, Brain, VOCABULARY};
 use cla_core::knowledge::Estimate;
-use cla_core::snapshot::{Names, Stored};
-use cla_core::som::Prototypes;
-use cla_core::word::{ActionId, Cost, Detail, ItemSet, ItemStates};
+use cla_core::word::Detail;
 
-use super::image::{image_of, take};
+use super::native::{habit, narrowed};
 use super::{Learner, Thought, Worth};
 use crate::failure::Failure;
 use crate::world;
-
-/// The world's percept in the words of the forager's brain.
-#[must_use]
-pub fn percept(now: &world::Percept) -> pioneer::Percept {
-    let narrow = |set: &ItemSet<{ world::WORLD_WORDS }>| {
-        let mut out = ItemSet::EMPTY;
-        for item in set.iter() {
-            // Items beyond the brain's capacity do not exist for it.
-            let _ = out.insert(item);
-        }
-        out
-    };
-    ItemStates::from_sets(&narrow(now.on()), &narrow(now.off()))
-}
-
-/// A bare brain of any capacity; when it acts, its reliabilities go on adapting.
-impl<
-    const W: usize,
-    const H: usize,
-    const P: usize,
-    const S: usize,
-    const Y: usize,
-    const B: usize,
-    M: Prototypes<W, H> + Stored + 'static,
-> Learner for Agent<1, 7, W, H, 6, P, S, Y, B, M>
-{
-    fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
-        Ok(usize::from(Self::choose(self, &percept(now))?.action.0))
-    }
-
-    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
-        Self::learn(self, &percept(now))?;
-        Ok(())
-    }
-
-    fn observe(
-        &mut self,
-        before: &world::Percept,
-        action: usize,
-        after: &world::Percept,
-    ) -> Result<(), Failure> {
-        let action = ActionId(action as u16);
-        Self::observe(self, &percept(before), action, &percept(after))?;
-        Ok(())
-    }
-
-    fn act(&mut self) -> Result<(), Failure> {
-        Self::act(self, Adaptation::Reliabilities)?;
-        Ok(())
-    }
-
-    fn cost(&self) -> Option<Cost> {
-        Some(Self::cost(self))
-    }
-
-    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
-        image_of(self, names).map(Some)
-    }
-
-    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
-        take(self, names, image)
-    }
-}
 
 /// A forager with level 1, and how it adapts when it acts.
 #[derive(Clone)]
@@ -129,31 +64,16 @@ impl Forager {
 
 impl Learner for Forager {
     fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
-        let choice = Agent::choose(&mut self.brain, &percept(now))?;
+        let choice = Agent::choose(&mut self.brain, &narrowed(now))?;
         self.last = Some(choice);
         Ok(usize::from(choice.action.0))
     }
 
-    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
-        Learner::learn(&mut *self.brain, now)
-    }
-
-    fn observe(
-        &mut self,
-        before: &world::Percept,
-        action: usize,
-        after: &world::Percept,
-    ) -> Result<(), Failure> {
-        Learner::observe(&mut *self.brain, before, action, after)
-    }
+    within!(self => *self.brain; learn observe cost alarms image go_on_from);
 
     fn act(&mut self) -> Result<(), Failure> {
         Agent::act(&mut self.brain, self.adaptation)?;
         Ok(())
-    }
-
-    fn cost(&self) -> Option<Cost> {
-        Some(self.brain.cost())
     }
 
     fn reliabilities(&self) -> Vec<f64> {
@@ -169,24 +89,10 @@ impl Learner for Forager {
         (all.successes(), all.activations())
     }
 
-    fn alarms(&self) -> u32 {
-        self.brain.alarms()
-    }
-
-    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
-        image_of(&*self.brain, names).map(Some)
-    }
-
-    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
-        take(&mut *self.brain, names, image)
-    }
-
     fn worth(&self, now: &world::Percept) -> Worth {
-        let habits = self.brain.habits();
-        let habits = habits.worth(percept(now).on(), self.brain.trace());
         Worth {
             choice: self.last.map_or(0.0, |it| it.value),
-            habit: habits.into_iter().fold(0.0, f32::max),
+            habit: habit(&self.brain, now),
         }
     }
 

@@ -4,6 +4,9 @@
 //! run by themselves and are shown to it.
 //! To enter a new learner into an experiment is to write one struct.
 
+#[macro_use]
+mod within;
+
 pub mod controller;
 pub mod digest;
 pub mod folded;

@@ -70,6 +70,82 @@ impl<A> Native<A> {
     }
 }
 
+/// A bare brain of any capacity; when it acts, its reliabilities go on adapting.
+impl<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const W: usize,
+    const H: usize,
+    const ACTIONS: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+    M: Prototypes<W, H> + Stored + 'static,
+> Learner for Agent<WORDS, ITEMS, W, H, ACTIONS, P, S, Y, B, M>
+{
+    fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
+        Ok(usize::from(Self::choose(self, &narrowed(now))?.action.0))
+    }
+
+    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
+        Self::learn(self, &narrowed(now))?;
+        Ok(())
+    }
+
+    fn observe(
+        &mut self,
+        before: &world::Percept,
+        action: usize,
+        after: &world::Percept,
+    ) -> Result<(), Failure> {
+        let action = ActionId(action as u16);
+        Self::observe(self, &narrowed(before), action, &narrowed(after))?;
+        Ok(())
+    }
+
+    fn act(&mut self) -> Result<(), Failure> {
+        Self::act(self, Adaptation::Reliabilities)?;
+        Ok(())
+    }
+
+    fn cost(&self) -> Option<Cost> {
+        Some(Self::cost(self))
+    }
+
+    fn alarms(&self) -> u32 {
+        Self::alarms(self)
+    }
+
+    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
+        image_of(self, names).map(Some)
+    }
+
+    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
+        take(self, names, image)
+    }
+}
+
+/// What habits alone hold the best action to be worth.
+pub(super) fn habit<
+    const WORDS: usize,
+    const ITEMS: usize,
+    const W: usize,
+    const H: usize,
+    const ACTIONS: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+    M: Prototypes<W, H>,
+>(
+    brain: &Agent<WORDS, ITEMS, W, H, ACTIONS, P, S, Y, B, M>,
+    now: &world::Percept,
+) -> f32 {
+    let worth = brain.habits().worth(narrowed(now).on(), brain.trace());
+    worth.into_iter().fold(0.0, f32::max)
+}
+
 impl<
     const WORDS: usize,
     const ITEMS: usize,
@@ -84,55 +160,22 @@ impl<
 > Learner for Native<Agent<WORDS, ITEMS, W, H, ACTIONS, P, S, Y, B, M>>
 {
     fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
-        let choice = self.brain.choose(&narrowed(now))?;
+        let choice = Agent::choose(&mut self.brain, &narrowed(now))?;
         self.value = choice.value;
         Ok(usize::from(choice.action.0))
     }
 
-    fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
-        self.brain.learn(&narrowed(now))?;
-        Ok(())
-    }
-
-    fn observe(
-        &mut self,
-        before: &world::Percept,
-        action: usize,
-        after: &world::Percept,
-    ) -> Result<(), Failure> {
-        let action = ActionId(action as u16);
-        self.brain
-            .observe(&narrowed(before), action, &narrowed(after))?;
-        Ok(())
-    }
+    within!(self => *self.brain; learn observe cost alarms image go_on_from);
 
     fn act(&mut self) -> Result<(), Failure> {
-        self.brain.act(self.adaptation)?;
+        Agent::act(&mut self.brain, self.adaptation)?;
         Ok(())
-    }
-
-    fn cost(&self) -> Option<Cost> {
-        Some(self.brain.cost())
-    }
-
-    fn alarms(&self) -> u32 {
-        self.brain.alarms()
     }
 
     fn worth(&self, now: &world::Percept) -> Worth {
-        let habits = self.brain.habits();
-        let habits = habits.worth(narrowed(now).on(), self.brain.trace());
         Worth {
             choice: self.value,
-            habit: habits.into_iter().fold(0.0, f32::max),
+            habit: habit(&self.brain, now),
         }
-    }
-
-    fn image(&self, names: Names) -> Result<Option<Vec<u8>>, Failure> {
-        image_of(&*self.brain, names).map(Some)
-    }
-
-    fn go_on_from(&mut self, names: Names, image: &[u8]) -> Result<u32, Failure> {
-        take(&mut *self.brain, names, image)
     }
 }

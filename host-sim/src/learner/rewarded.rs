@@ -43,27 +43,7 @@ pub fn rewarded<W: World + ?Sized>(
     world: &mut W,
     actions: u32,
 ) -> Result<Income, Failure> {
-    let mut income = Income::default();
-    let start = world.earned();
-    for _ in 0..actions {
-        if world.finished() {
-            break;
-        }
-        let action = learner.choose(&world.sense())?;
-        let before = world.earned();
-        world.act(action);
-        let reward = world.earned() - before;
-        learner.learn_with(&world.sense(), reward as f32)?;
-        feel_reflexes(learner, world)?;
-        income.actions += 1;
-        if world.episode_ended() {
-            learner.interrupt()?;
-            world.begin_episode();
-            income.episodes += 1;
-        }
-    }
-    income.earned = world.earned() - start;
-    Ok(income)
+    Ok(paced(learner, world, actions, Hears::Numbers)?.income)
 }
 
 /// Lets `decide`, which sees all of the world, do up to `actions` actions.

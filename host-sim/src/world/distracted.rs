@@ -3,7 +3,6 @@
 use cla_core::num::Rng;
 use cla_core::word::ItemId;
 
-use super::fault::{Fault, Unbreakable};
 use super::names::{Names, kept};
 use super::{Percept, WORLD_WORDS, World};
 
@@ -59,12 +58,10 @@ impl<W: World> Distracted<W> {
 }
 
 impl<W: World> World for Distracted<W> {
+    around!(self => self.world; actions obtained finished earned episode_ended suffer);
+
     fn items(&self) -> &'static [&'static str] {
         self.items
-    }
-
-    fn actions(&self) -> &'static [&'static str] {
-        self.world.actions()
     }
 
     fn sense(&self) -> Percept {
@@ -84,29 +81,9 @@ impl<W: World> World for Distracted<W> {
         fired
     }
 
-    fn obtained(&self) -> u32 {
-        self.world.obtained()
-    }
-
-    fn finished(&self) -> bool {
-        self.world.finished()
-    }
-
-    fn earned(&self) -> f64 {
-        self.world.earned()
-    }
-
-    fn episode_ended(&self) -> bool {
-        self.world.episode_ended()
-    }
-
     fn begin_episode(&mut self) {
         self.world.begin_episode();
         self.look();
-    }
-
-    fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
-        self.world.suffer(fault)
     }
 }
 

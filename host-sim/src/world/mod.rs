@@ -1,5 +1,8 @@
 //! Worlds that a brain can live in.
 
+#[macro_use]
+mod within;
+
 pub mod arena;
 pub mod body;
 pub mod camera;
@@ -96,47 +99,6 @@ pub trait World {
 
 /// A world of which only the program knows which it is.
 impl<W: World + ?Sized> World for Box<W> {
-    fn items(&self) -> &'static [&'static str] {
-        (**self).items()
-    }
-
-    fn actions(&self) -> &'static [&'static str] {
-        (**self).actions()
-    }
-
-    fn sense(&self) -> Percept {
-        (**self).sense()
-    }
-
-    fn act(&mut self, action: usize) {
-        (**self).act(action);
-    }
-
-    fn reflex(&mut self) -> Option<usize> {
-        (**self).reflex()
-    }
-
-    fn obtained(&self) -> u32 {
-        (**self).obtained()
-    }
-
-    fn finished(&self) -> bool {
-        (**self).finished()
-    }
-
-    fn earned(&self) -> f64 {
-        (**self).earned()
-    }
-
-    fn episode_ended(&self) -> bool {
-        (**self).episode_ended()
-    }
-
-    fn begin_episode(&mut self) {
-        (**self).begin_episode();
-    }
-
-    fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
-        (**self).suffer(fault)
-    }
+    around!(self => **self;
+        items actions sense act reflex obtained finished earned episode_ended begin_episode suffer);
 }

@@ -2,8 +2,7 @@
 
 use cla_core::word::ItemId;
 
-use super::fault::{Fault, Unbreakable};
-use super::{Percept, World};
+use super::World;
 
 /// Any world, rewarded by one of its items and by nothing else.
 ///
@@ -49,17 +48,7 @@ impl<W: World> Sought<W> {
 }
 
 impl<W: World> World for Sought<W> {
-    fn items(&self) -> &'static [&'static str] {
-        self.world.items()
-    }
-
-    fn actions(&self) -> &'static [&'static str] {
-        self.world.actions()
-    }
-
-    fn sense(&self) -> Percept {
-        self.world.sense()
-    }
+    around!(self => self.world; items actions sense finished episode_ended suffer);
 
     fn act(&mut self, action: usize) {
         self.world.act(action);
@@ -76,20 +65,8 @@ impl<W: World> World for Sought<W> {
         self.obtained
     }
 
-    fn finished(&self) -> bool {
-        self.world.finished()
-    }
-
-    fn episode_ended(&self) -> bool {
-        self.world.episode_ended()
-    }
-
     fn begin_episode(&mut self) {
         self.world.begin_episode();
         self.was_on = self.world.sense().get(self.item) == Some(true);
-    }
-
-    fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
-        self.world.suffer(fault)
     }
 }

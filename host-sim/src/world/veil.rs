@@ -8,7 +8,6 @@ use cla_core::num::Rng;
 use cla_core::word::ItemId;
 use serde::{Deserialize, Serialize};
 
-use super::fault::{Fault, Unbreakable};
 use super::{Percept, World};
 
 /// What is not shown.
@@ -102,13 +101,7 @@ impl<W: World> Veiled<W> {
 }
 
 impl<W: World> World for Veiled<W> {
-    fn items(&self) -> &'static [&'static str] {
-        self.world.items()
-    }
-
-    fn actions(&self) -> &'static [&'static str] {
-        self.world.actions()
-    }
+    around!(self => self.world; items actions obtained finished earned episode_ended suffer);
 
     fn sense(&self) -> Percept {
         self.percept
@@ -127,29 +120,9 @@ impl<W: World> World for Veiled<W> {
         fired
     }
 
-    fn obtained(&self) -> u32 {
-        self.world.obtained()
-    }
-
-    fn finished(&self) -> bool {
-        self.world.finished()
-    }
-
-    fn earned(&self) -> f64 {
-        self.world.earned()
-    }
-
-    fn episode_ended(&self) -> bool {
-        self.world.episode_ended()
-    }
-
     fn begin_episode(&mut self) {
         self.world.begin_episode();
         self.look();
-    }
-
-    fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
-        self.world.suffer(fault)
     }
 }
 

@@ -18,7 +18,7 @@ use firmware_example::trace::{self, ACTIONS, SEED, Step};
 use host_sim::device::board::{Build, Printed, section_bytes};
 use host_sim::device::target::Target;
 use host_sim::failure::Failure;
-use host_sim::learner::forager::percept;
+use host_sim::learner::native::narrowed;
 use host_sim::learner::{Learner, live};
 use host_sim::world;
 use host_sim::world::config::PioneerConfig;
@@ -164,7 +164,7 @@ impl Witness {
 impl Learner for Witness {
     fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
         let action = Learner::choose(&mut *self.brain, now)?;
-        self.before = percept(now);
+        self.before = narrowed(now);
         self.chosen = ActionId(action as u16);
         Ok(action)
     }
@@ -173,7 +173,7 @@ impl Learner for Witness {
         self.compare(Step {
             before: self.before,
             action: self.chosen,
-            after: percept(now),
+            after: narrowed(now),
             reflex: false,
         });
         Learner::learn(&mut *self.brain, now)
@@ -186,9 +186,9 @@ impl Learner for Witness {
         after: &world::Percept,
     ) -> Result<(), Failure> {
         self.compare(Step {
-            before: percept(before),
+            before: narrowed(before),
             action: ActionId(action as u16),
-            after: percept(after),
+            after: narrowed(after),
             reflex: true,
         });
         Learner::observe(&mut *self.brain, before, action, after)

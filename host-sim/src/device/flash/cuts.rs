@@ -66,6 +66,28 @@ impl Cuts {
     }
 }
 
+/// One history on each shape of flash: words of 1 to 256 bytes, pages of 64 to 4096, 2 to 4 slots; each
+/// with its shape in words.
+///
+/// # Errors
+/// [`LayoutError`] when an image does not fit.
+pub fn on_every_shape(
+    ages: &[Age],
+    history: History,
+) -> Result<[(&'static str, Cuts); 6], LayoutError> {
+    Ok([
+        ("1, 64, 2", cut_everywhere::<1, 64, 2>(ages, history)?),
+        ("4, 4096, 2", cut_everywhere::<4, 4096, 2>(ages, history)?),
+        ("8, 512, 3", cut_everywhere::<8, 512, 3>(ages, history)?),
+        ("16, 256, 4", cut_everywhere::<16, 256, 4>(ages, history)?),
+        ("32, 1024, 2", cut_everywhere::<32, 1024, 2>(ages, history)?),
+        (
+            "256, 4096, 2",
+            cut_everywhere::<256, 4096, 2>(ages, history)?,
+        ),
+    ])
+}
+
 type Store<const W: usize, const P: usize, const N: usize> = FlashStore<FakeFlash<W, P>, N>;
 
 /// A flash with what is in it.

@@ -153,12 +153,6 @@ impl<const WORD: usize, const PAGE: usize> FakeFlash<WORD, PAGE> {
         self.rng = Rng::new(seed);
     }
 
-    /// Whether the power is gone.
-    #[must_use]
-    pub const fn is_dead(&self) -> bool {
-        self.dead
-    }
-
     /// Erases and writes since the last cut was set or the power came back.
     #[must_use]
     pub fn operations(&self) -> &[Operation] {

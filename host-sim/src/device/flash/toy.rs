@@ -2,10 +2,11 @@
 
 use cla_core::AgentConfig;
 use cla_core::num::Rng;
-use cla_core::snapshot::{self, Names, SliceSink, Snapshot};
+use cla_core::snapshot::{Names, Snapshot};
 use cla_core::word::{ItemId, ItemStates};
 
 use crate::failure::Failure;
+use crate::learner::image::image_of;
 
 cla_core::brain! {
     /// A robot of four items and three actions.
@@ -61,11 +62,7 @@ fn percept(rng: &mut Rng) -> ItemStates<1> {
 /// The image of a brain; empty where it cannot be saved.
 #[must_use]
 pub fn image<B: Snapshot>(brain: &B) -> Vec<u8> {
-    let mut image = vec![0; snapshot::length(brain).unwrap_or(0) as usize];
-    match snapshot::save(brain, names(), &mut SliceSink::new(&mut image)) {
-        Ok(_) => image,
-        Err(_) => Vec::new(),
-    }
+    image_of(brain, names()).unwrap_or_default()
 }
 
 /// What its items and actions are called.

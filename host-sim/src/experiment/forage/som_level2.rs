@@ -12,7 +12,7 @@ use cla_core::word::ActionId;
 
 use crate::failure::Failure;
 use crate::learner::Learner;
-use crate::learner::forager::percept;
+use crate::learner::native::narrowed;
 use crate::world;
 
 /// The level: 7 primitive items and 377 synthetic ones, 24 × 24 nodes for each of 6 actions.
@@ -88,7 +88,7 @@ impl TwoLevels {
 
 impl Learner for TwoLevels {
     fn choose(&mut self, now: &world::Percept) -> Result<usize, Failure> {
-        let now = &percept(now);
+        let now = &narrowed(now);
         let choice = self.brain.choose(now)?;
         let mut action = choice.action;
         if matches!(choice.reason, Reason::Value | Reason::NothingApplies) {
@@ -104,7 +104,7 @@ impl Learner for TwoLevels {
     }
 
     fn learn(&mut self, now: &world::Percept) -> Result<(), Failure> {
-        let now = &percept(now);
+        let now = &narrowed(now);
         let before = self.now;
         self.listen(&before, self.action, now);
         let lesson = self.brain.learn(now)?;
@@ -118,7 +118,7 @@ impl Learner for TwoLevels {
         action: usize,
         after: &world::Percept,
     ) -> Result<(), Failure> {
-        let (before, after) = (&percept(before), &percept(after));
+        let (before, after) = (&narrowed(before), &narrowed(after));
         let action = ActionId(action as u16);
         self.listen(before, action, after);
         let lesson = self.brain.observe(before, action, after)?;

@@ -22,7 +22,7 @@ use firmware_example::trace::to_bits;
 use crate::device::target::Target;
 use crate::failure::{Failure, Impossible};
 use crate::learner::Learner;
-use crate::learner::forager::percept;
+use crate::learner::native::narrowed;
 use crate::world::Percept;
 
 /// How long an answer may stay away before it is asked for again.
@@ -293,7 +293,7 @@ impl Learner for Distant {
 
 /// A percept as the wire carries it: one bit an item, so every item must be known.
 fn bits(now: &Percept) -> Result<u8, Failure> {
-    let now = percept(now);
+    let now = narrowed(now);
     if now.known() == ItemSet::first(ITEMS.len() as u16) {
         Ok(to_bits(&now))
     } else {

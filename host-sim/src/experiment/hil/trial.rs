@@ -20,7 +20,7 @@ use crate::device::board::Build;
 use crate::device::meter::Load;
 use crate::device::target::Target;
 use crate::failure::Failure;
-use crate::learner::forager::percept;
+use crate::learner::native::narrowed;
 use crate::learner::{Learner, live};
 use crate::world::Percept;
 use crate::world::config::PioneerConfig;
@@ -73,7 +73,7 @@ struct Twins {
 impl Learner for Twins {
     fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
         let action = self.distant.choose(now)?;
-        let here = self.here.choose(&percept(now))?;
+        let here = self.here.choose(&narrowed(now))?;
         self.choices += 1;
         let agrees = usize::from(here.action.0) == action;
         let same = agrees && here.value.to_bits() == self.distant.last_value();

@@ -1,18 +1,18 @@
 //! The tables beside the claims of the one learner.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::damages::{FIRST, TWIN, ids, name};
 use super::family::{Damages, end};
-use super::measured::{Trial, of, sums};
+use super::measured::{Trial, rounded, sums, table};
 use super::options::{OneOptions, Part};
 use crate::learner::mind::Brain;
-use crate::report::{Table, mean, sample_sd};
+use crate::report::{Table, mean};
 
 /// Those of the parts that were run.
 pub(super) fn all(options: &OneOptions, trials: &[Trial]) -> Vec<(&'static str, Table)> {
     let mut tables = vec![
-        ("what was measured", measured(trials)),
+        ("what was measured", table(trials)),
         ("bytes of the learner", bytes()),
     ];
     if options.has(Part::Recover) {
@@ -44,28 +44,6 @@ fn bytes() -> Table {
         ),
     ] {
         table.row([json!(world), json!(items), json!(actions), json!(bytes)]);
-    }
-    table
-}
-
-fn rounded(number: f64) -> Value {
-    json!((number * 1000.0).round() / 1000.0)
-}
-
-/// Everything that is one number a seed.
-fn measured(trials: &[Trial]) -> Table {
-    let mut table = Table::new(&["what", "mean", "standard deviation", "n"]);
-    let names = trials.first().map(|it| &it.measured);
-    for (name, numbers) in names.into_iter().flatten() {
-        if numbers.len() == 1 {
-            let seeds = of(trials, name);
-            table.row([
-                json!(name),
-                rounded(mean(&seeds)),
-                rounded(sample_sd(&seeds)),
-                json!(seeds.len()),
-            ]);
-        }
     }
     table
 }

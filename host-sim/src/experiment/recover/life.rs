@@ -108,9 +108,6 @@ pub struct Childhood {
 }
 
 impl Childhood {
-    /// How many quarters it has.
-    pub const QUARTERS: u32 = 4;
-
     /// One that has not begun.
     ///
     /// # Errors

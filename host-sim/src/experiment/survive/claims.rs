@@ -2,8 +2,7 @@
 
 use super::options::SurviveOptions;
 use super::part::Scale;
-use super::tables;
-use crate::experiment::measured::Trial;
+use crate::experiment::measured::{Trial, table};
 use crate::report::Summary;
 
 pub(super) fn summary(options: &SurviveOptions, trials: &[Trial]) -> Summary {
@@ -18,7 +17,7 @@ pub(super) fn summary(options: &SurviveOptions, trials: &[Trial]) -> Summary {
         summary.claims.extend((part.claims)(own));
         if !own.is_empty() {
             let title = format!("what {} has measured", part.name);
-            summary.table(&title, tables::measured(own));
+            summary.table(&title, table(own));
         }
     }
     if options.shorter != Scale(1) {

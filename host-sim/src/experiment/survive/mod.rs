@@ -11,7 +11,6 @@ mod lamp;
 mod options;
 mod part;
 mod parts;
-mod tables;
 
 pub use options::{Case, SurviveOptions};
 pub use part::{Part, Scale};

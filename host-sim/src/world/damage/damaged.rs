@@ -110,13 +110,8 @@ fn set(percept: &mut Percept, index: usize, state: Option<bool>) {
 }
 
 impl<W: World> World for Damaged<W> {
-    fn items(&self) -> &'static [&'static str] {
-        self.world.items()
-    }
-
-    fn actions(&self) -> &'static [&'static str] {
-        self.world.actions()
-    }
+    around!(self => self.world;
+        items actions reflex obtained finished earned episode_ended begin_episode suffer);
 
     fn sense(&self) -> Percept {
         let whole = self.world.sense();
@@ -152,34 +147,6 @@ impl<W: World> World for Damaged<W> {
         if self.lost != Some(action) && !slips {
             self.world.act(action);
         }
-    }
-
-    fn reflex(&mut self) -> Option<usize> {
-        self.world.reflex()
-    }
-
-    fn obtained(&self) -> u32 {
-        self.world.obtained()
-    }
-
-    fn finished(&self) -> bool {
-        self.world.finished()
-    }
-
-    fn earned(&self) -> f64 {
-        self.world.earned()
-    }
-
-    fn episode_ended(&self) -> bool {
-        self.world.episode_ended()
-    }
-
-    fn begin_episode(&mut self) {
-        self.world.begin_episode();
-    }
-
-    fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
-        self.world.suffer(fault)
     }
 }
 

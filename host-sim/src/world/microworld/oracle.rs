@@ -263,12 +263,6 @@ impl Oracle {
         set
     }
 
-    /// The share of states in which a schema applies, in `[0, 1]`.
-    #[must_use]
-    pub fn applicability(&self, schema: &SchemaText<WORDS>) -> f64 {
-        share(self.where_holds(&schema.context).len(), self.states.len())
-    }
-
     /// The share of the states where a schema of a primitive action applies in which its result
     /// holds afterwards; `None` when it applies nowhere.
     ///

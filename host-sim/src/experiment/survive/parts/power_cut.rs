@@ -2,7 +2,7 @@
 //! brought back.
 
 use super::super::part::{Part, Scale, never, tried};
-use crate::device::flash::cuts::{Cuts, History, cut_everywhere};
+use crate::device::flash::cuts::{Cuts, History, on_every_shape};
 use crate::device::flash::toy::ages;
 use crate::experiment::measured::{Trial, of};
 use crate::failure::Failure;
@@ -29,13 +29,9 @@ fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
             corrects_errors,
             again_after: 7,
         };
-        // Bytes of a word, of a page, slots.
-        cuts.add(&cut_everywhere::<1, 64, 2>(&ages, history)?);
-        cuts.add(&cut_everywhere::<4, 4096, 2>(&ages, history)?);
-        cuts.add(&cut_everywhere::<8, 512, 3>(&ages, history)?);
-        cuts.add(&cut_everywhere::<16, 256, 4>(&ages, history)?);
-        cuts.add(&cut_everywhere::<32, 1024, 2>(&ages, history)?);
-        cuts.add(&cut_everywhere::<256, 4096, 2>(&ages, history)?);
+        for (_, more) in on_every_shape(&ages, history)? {
+            cuts.add(&more);
+        }
     }
     for (name, number) in [
         ("points", cuts.points),
