@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Parser;
-use host_sim::cli::{Cli, Command, Errand};
+use host_sim::cli::{Cli, Command, Errand, sentence};
 use host_sim::experiment::sweep;
 use host_sim::failure::{Failure, Impossible};
 use host_sim::keeping;
@@ -17,7 +17,7 @@ use host_sim::report::{Circumstances, Journal, Output};
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) if error.use_stderr() => return refuse(&one_sentence(&error.to_string())),
+        Err(error) if error.use_stderr() => return refuse(&sentence(&error)),
         Err(help) => {
             // Help goes to standard output; nothing is left to do when that is closed.
             let _ = help.print();
@@ -109,10 +109,10 @@ fn run(order: &Order) -> Result<ExitCode, Failure> {
         progress = progress.keeping_brains(folder)?;
     }
     let (output, journal) = order.place.open()?;
-    let directory = output.directory().display();
+    let go_on = order.go_on(output.directory());
     let mut results = match order.run(&progress, &journal) {
         Err(failure) if progress.stopped().is_some() => {
-            return interrupted(&progress, &format!("{failure}; {}", go_on(&directory)));
+            return interrupted(&progress, &format!("{failure}; {go_on}"));
         }
         done => done?,
     };
@@ -133,10 +133,7 @@ fn run(order: &Order) -> Result<ExitCode, Failure> {
     say(&text)?;
     if let Some(how_far) = results.summary.parameters.get(Journal::UNFINISHED) {
         let how_far = how_far.as_str().unwrap_or_default();
-        let sentence = format!(
-            "interrupted: the summary is of {how_far}; {}",
-            go_on(&directory)
-        );
+        let sentence = format!("interrupted: the summary is of {how_far}; {go_on}");
         return interrupted(&progress, &sentence);
     }
     match results.over_budget {
@@ -145,21 +142,10 @@ fn run(order: &Order) -> Result<ExitCode, Failure> {
     }
 }
 
-fn go_on(directory: &impl std::fmt::Display) -> String {
-    format!("the same command with --resume --out {directory} goes on")
-}
-
 /// What ends with a signal ends with its number, as shells have it.
 fn interrupted(progress: &Progress, sentence: &str) -> Result<ExitCode, Failure> {
     eprintln!("host-sim: {sentence}");
     Ok(ExitCode::from(128 + progress.stopped().unwrap_or_default()))
-}
-
-/// The first line of what the parser of the command line says, which is the whole of its point.
-fn one_sentence(message: &str) -> String {
-    let line = message.lines().next().unwrap_or("nothing to do");
-    let line = line.trim_start_matches("error: ");
-    format!("{line}; see host-sim --help")
 }
 
 fn refuse(sentence: &str) -> ExitCode {

@@ -5,8 +5,6 @@
 //! against those that exist, and what is none is refused with the nearest that is.
 //! A part that may be missing is the word `none` in a file.
 
-use std::fmt::Display;
-use std::fs;
 use std::path::Path;
 
 use serde::Serialize;
@@ -14,6 +12,7 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 use crate::failure::Impossible;
+use crate::whole::read_text;
 
 /// Most bytes of a file with settings.
 const MOST_BYTES: u64 = 1 << 20;
@@ -33,16 +32,8 @@ pub fn empty() -> Value {
 /// neither text, number, yes or no, list nor table.
 pub fn read(path: &Path) -> Result<Value, Impossible> {
     let name = path.display();
-    let unread = |why: &dyn Display| Impossible::new(format!("cannot read {name}: {why}"));
-    let about = fs::metadata(path).map_err(|error| unread(&error))?;
-    // A pipe may never end, and a device has no end.
-    if !about.is_file() {
-        return Err(unread(&"it is no file"));
-    }
-    if about.len() > MOST_BYTES {
-        return Err(unread(&format_args!("it has more than {MOST_BYTES} bytes")));
-    }
-    let text = fs::read_to_string(path).map_err(|error| unread(&error))?;
+    let text = read_text(path, MOST_BYTES)
+        .map_err(|why| Impossible::new(format!("cannot read {name}: {why}")))?;
     parse(&text).map_err(|error| Impossible::new(format!("{name}, {error}")))
 }
 

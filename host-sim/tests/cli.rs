@@ -82,6 +82,9 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         &["live", "--config", "none.toml"],
         &["live", "--config", "/dev/zero"],
         &["live", "--rival", "mind"],
+        &["sweep", "--grid", "agent.discount=0.9,0.90"],
+        &["sweep", "--grid", "agent.name=mind,mind"],
+        &["sweep", "--grid", "agent.discount=0.9", "--shard", "0/2"],
         &["live", "--seeds", "5..5"],
         &["one", "--parts", "lake", "--long"],
         &["recover", "--damage", "camera:left"],
@@ -318,6 +321,92 @@ fn a_life_is_lived_again_from_the_settings_that_it_has_written() {
         measured("first/summary.json")
     );
     assert!(read("first/settings.toml").contains("alpha = 0.2"));
+}
+
+#[test]
+fn another_name_than_that_of_the_file_is_another_life_not_another_label() {
+    let folder = Folder::new("names");
+    let short = "protocol={training=25,before=25,after=25}";
+    let live = |more: &[&str]| {
+        let output = run(&folder.0, &[&["live", "--set", short][..], more].concat());
+        let sentence = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{more:?}: {sentence}");
+    };
+    live(&["--agent", "forager", "--out", "forager"]);
+    live(&["--agent", "book", "--world", "noise-free", "--out", "book"]);
+    let file = ["--config", "forager/settings.toml"];
+    let names = ["--set", "agent.name=book", "--set", "world.name=noise-free"];
+    live(&[&file[..], &names, &["--out", "set"]].concat());
+    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    assert_eq!(read("set/settings.toml"), read("book/settings.toml"));
+    assert_ne!(read("set/settings.toml"), read("forager/settings.toml"));
+    // On a grid it is refused.
+    let grid = ["sweep", "--grid", "agent.name=book,forager"];
+    let output = run(&folder.0, &[&grid[..], &file].concat());
+    let sentence = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{sentence}");
+    assert!(
+        sentence.contains("there are settings of \"forager\""),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn a_sweep_is_made_again_from_the_settings_that_it_has_written() {
+    let folder = Folder::new("sweep");
+    let arguments = "sweep --agent q --grid agent.alpha=0.1,0.2 --grid world.name=lake,keys --seeds 3..5 \
+         --set protocol={training=50,before=25,after=50} --out first";
+    let arguments: Vec<&str> = arguments.split_whitespace().collect();
+    assert!(run(&folder.0, &arguments).status.success());
+    let again = ["sweep", "--config", "first/settings.toml", "--out", "again"];
+    assert!(run(&folder.0, &again).status.success());
+    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    assert_eq!(read("again/settings.toml"), read("first/settings.toml"));
+    assert_eq!(read("again/results.jsonl"), read("first/results.jsonl"));
+    assert_eq!(read("first/results.jsonl").lines().count(), 8);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_file_and_nobody_waits_for_its_end() {
+    let folder = Folder::new("pipes");
+    for name in ["pipe.toml", "pipe.mcap", "pipe.brain", "pipe.POMDP"] {
+        let made = Command::new("mkfifo").arg(folder.0.join(name)).status();
+        assert!(made.expect("there is mkfifo").success());
+    }
+    for (arguments, code) in [
+        (&["live", "--config", "pipe.toml"][..], 2),
+        (&["live", "--world", "pipe.POMDP"], 2),
+        (&["forage", "--layout", "pipe.toml"], 2),
+        (&["replay", "pipe.mcap"], 1),
+        (&["inspect", "pipe.brain"], 1),
+        (&["train", "--load", "pipe.brain"], 1),
+        (&["train", "--actions", "1", "--save", "pipe.brain"], 1),
+    ] {
+        let mut child = program(&folder.0, arguments)
+            .stderr(Stdio::piped())
+            .stdout(Stdio::null())
+            .spawn()
+            .expect("the program starts");
+        let begun = std::time::Instant::now();
+        while child.try_wait().expect("it can be asked").is_none() {
+            if begun.elapsed() > Duration::from_secs(60) {
+                child.kill().expect("it can be killed");
+                panic!("{arguments:?} waits for ever");
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        let output = child.wait_with_output().expect("it has ended");
+        let sentence = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(
+            output.status.code(),
+            Some(code),
+            "{arguments:?}: {sentence}"
+        );
+        assert!(sentence.contains("it is no file"), "{sentence}");
+        assert_eq!(sentence.lines().count(), 1, "{sentence}");
+    }
+    assert_eq!(folder.names().len(), 4, "{:?}", folder.names());
 }
 
 #[test]

@@ -131,6 +131,19 @@ fn a_mind_is_trained_kept_gone_on_with_and_looked_into() {
         said(&folder, &format!("{go_on} c.brain")),
         second.replace("b.brain", "c.brain")
     );
+    // It has one way to adapt, and no other is promised.
+    for (arguments, code) in [
+        ("train --act frozen --load a.brain", 1),
+        ("train --brain mind --act frozen", 2),
+    ] {
+        let output = run(&folder, arguments);
+        assert_eq!(output.status.code(), Some(code), "{output:?}");
+        assert!(
+            String::from_utf8(output.stderr)
+                .unwrap()
+                .contains("adapts in its own way")
+        );
+    }
     let read = |name: &str| fs::read(folder.0.join(name)).unwrap();
     assert!(read("b.brain") == read("c.brain") && read("a.brain") != read("b.brain"));
     let seen = said(&folder, "inspect a.brain --most 5 --page a.html");
@@ -158,6 +171,31 @@ fn a_mind_is_trained_kept_gone_on_with_and_looked_into() {
         fs::read_to_string(folder.0.join("a.json")).unwrap(),
         exported
     );
+}
+
+#[test]
+fn the_brains_of_readme_are_trained_looked_into_and_compared_as_it_says() {
+    let folder = Folder::new("readme");
+    let readme = include_str!("../../README.md");
+    let errands = ["train", "inspect", "diff", "replay", "export"];
+    let commands = readme.lines().filter_map(|line| {
+        let command = line.strip_prefix("cargo run --release -- ")?;
+        let command = command.split('#').next().unwrap_or_default().trim();
+        let errand = command.split(' ').next()?;
+        errands.contains(&errand).then_some(command)
+    });
+    let mut done = 0;
+    for command in commands {
+        let shorter = if command.starts_with("train") {
+            " --actions 300"
+        } else {
+            ""
+        };
+        let said = said(&folder, &format!("{command}{shorter}"));
+        assert!(!said.is_empty(), "{command}");
+        done += 1;
+    }
+    assert!(done >= 6, "{done} commands");
 }
 
 #[test]

@@ -56,6 +56,20 @@ fn all_forms_of_a_log_say_the_same_and_a_log_changes_no_life() {
         .map(|it| read_log(&folder.0.join(it)).unwrap())
         .into();
     assert_eq!(mcap, lines);
+    // Nothing is lost: all captures that the life is said to have had, those of its last action, too.
+    let obtained: u32 = lines.1.iter().map(|it| it.reward.obtained).sum();
+    assert!(
+        logged.contains(&format!("for 1200 actions: {obtained} captures")),
+        "{logged}"
+    );
+    let counted: u32 = String::from_utf8(read("a.csv"))
+        .unwrap()
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').nth(2).unwrap().parse::<u32>().unwrap())
+        .sum();
+    assert_eq!(counted, obtained);
+    assert_eq!((lines.1.len(), lines.1[1200].choice.as_ref()), (1201, None));
     let windows = String::from_utf8(read("a.csv")).unwrap();
     assert_eq!(windows.lines().count(), 3, "{windows}");
     let replayed = folder.said("replay a.mcap");
@@ -113,10 +127,11 @@ fn the_package_of_pypi_reads_what_was_written() {
     let moved = steps.iter().filter(|it| !it.specimens.is_empty()).count();
     for (topic, count) in [
         ("/life", 1),
-        ("/percept", 1200),
+        // Before every action, and what the last has led to.
+        ("/percept", 1201),
         ("/choice", 1200),
-        ("/reward", 1200),
-        ("/pose", 1200),
+        ("/reward", 1201),
+        ("/pose", 1201),
         ("/alarm", alarms),
         ("/specimens", moved),
     ] {
@@ -135,7 +150,7 @@ fn the_package_of_pypi_reads_what_was_written() {
     let last = steps.last().unwrap();
     assert_eq!(
         seen["last"]["/choice"],
-        serde_json::to_value(&last.choice).unwrap()
+        serde_json::to_value(&steps[1199].choice).unwrap()
     );
     assert_eq!(
         seen["last"]["/reward"],

@@ -214,6 +214,43 @@ fn a_run_that_is_asked_to_end_says_what_it_has_and_goes_on_another_day() {
 }
 
 #[test]
+fn a_shard_that_is_asked_to_end_goes_on_by_the_same_command() {
+    let folder = Folder::new("shard");
+    let sweep = |after: u32| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
+        command.args(["sweep", "--agent", "q", "--grid", "agent.alpha=0.1,0.2"]);
+        command.args(["--seeds", "0..4", "--shard", "1/2", "--out", "here"]);
+        let protocol = format!("protocol={{training=40000,before=100,after={after}}}");
+        command.args(["--set", &protocol]);
+        command.current_dir(&folder.0).stdin(Stdio::null());
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        command
+    };
+    let below = "here/shard-1-of-2";
+    let child = sweep(100).spawn().expect("the program starts");
+    wait_for(&folder, below, 1);
+    terminate(&child);
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(143), "{}", sentence(&output));
+    let done = folder.trials(below);
+    let said =
+        format!("host-sim: interrupted after {done} of 4 trials; the same command goes on\n");
+    assert_eq!(sentence(&output), said);
+    assert!(!folder.0.join(below).join("summary.json").exists());
+    // Another sweep does not go on there.
+    let other = sweep(125).output().expect("the program starts");
+    assert_eq!(other.status.code(), Some(1), "{}", sentence(&other));
+    assert!(sentence(&other).contains("cannot resume: "));
+    assert_eq!(folder.trials(below), done);
+    let output = sweep(100).output().expect("the program starts");
+    assert!(output.status.success(), "{}", sentence(&output));
+    assert_eq!(folder.trials(below), 4);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(said.contains("shard 1/2 is made"), "{said}");
+    assert!(folder.0.join(below).join("settings.toml").is_file());
+}
+
+#[test]
 fn of_two_runs_into_one_folder_one_is_refused_and_none_harmed() {
     let folder = Folder::new("two");
     let first = start(&folder.0, "0..4", &["--out", "here"]);

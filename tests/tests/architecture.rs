@@ -137,18 +137,19 @@ fn each_storey_of_the_core_imports_only_storeys_below() {
 /// The storeys of the simulator, each with those that it may stand on.
 const SIMULATOR: [(&str, &[&str]); 15] = [
     ("failure", &[]),
-    ("settings", &["failure"]),
     ("whole", &["failure"]),
+    ("settings", &["failure", "whole"]),
     ("progress", &["failure", "whole"]),
     ("report", &[]),
-    ("world", &["failure"]),
+    ("world", &["failure", "whole"]),
     ("device", &["failure", "report"]),
     ("learner", &["device", "failure", "world"]),
     ("baseline", &["failure", "learner", "world"]),
     (
         "experiment",
         &[
-            "baseline", "device", "failure", "learner", "progress", "report", "settings", "world",
+            "baseline", "device", "failure", "learner", "progress", "report", "settings", "whole",
+            "world",
         ],
     ),
     (

@@ -39,6 +39,27 @@ pub struct SeedArgs {
     pub seeds: String,
 }
 
+/// How long a life is.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct LengthArgs {
+    /// Actions of training; in forage a multiple of 1000.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 10_000,
+        allow_negative_numbers = true
+    )]
+    pub actions: u32,
+    /// Actions of a test.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 3_000,
+        allow_negative_numbers = true
+    )]
+    pub test_actions: u32,
+}
+
 /// What the brain may cost on a microcontroller.
 #[derive(Clone, Debug, Args)]
 pub struct BudgetArgs {

@@ -6,11 +6,13 @@
 
 mod args;
 mod errand;
+mod sentence;
 
 use clap::{Parser, Subcommand};
 
-pub use args::{BudgetArgs, LiveArgs, OutArgs, SeedArgs, WorldArgs};
+pub use args::{BudgetArgs, LengthArgs, LiveArgs, OutArgs, SeedArgs, WorldArgs};
 pub use errand::Errand;
+pub use sentence::sentence;
 
 /// Robots that build their own world: the experiments of Chaput 2004, with their verdicts.
 ///
@@ -35,22 +37,9 @@ pub enum Command {
         /// Where they are lived.
         #[command(flatten)]
         world: WorldArgs,
-        /// Actions of training, a multiple of 1000.
-        #[arg(
-            long,
-            value_name = "N",
-            default_value_t = 10_000,
-            allow_negative_numbers = true
-        )]
-        actions: u32,
-        /// Actions of a test.
-        #[arg(
-            long,
-            value_name = "N",
-            default_value_t = 3_000,
-            allow_negative_numbers = true
-        )]
-        test_actions: u32,
+        /// How long they are.
+        #[command(flatten)]
+        length: LengthArgs,
         /// What the brain may cost.
         #[command(flatten)]
         budget: BudgetArgs,
@@ -192,22 +181,9 @@ pub enum Command {
         /// Which lives.
         #[command(flatten)]
         seeds: SeedArgs,
-        /// Actions of training.
-        #[arg(
-            long,
-            value_name = "N",
-            default_value_t = 10_000,
-            allow_negative_numbers = true
-        )]
-        actions: u32,
-        /// Actions of the test.
-        #[arg(
-            long,
-            value_name = "N",
-            default_value_t = 3_000,
-            allow_negative_numbers = true
-        )]
-        test_actions: u32,
+        /// How long they are.
+        #[command(flatten)]
+        length: LengthArgs,
         /// What the brain may cost.
         #[command(flatten)]
         budget: BudgetArgs,

@@ -81,14 +81,19 @@ pub fn run_noted<E: Experiment>(
 
 /// What decides a run: one that goes on must say the same.
 fn about<E: Experiment>(options: &E::Options) -> Result<Value, Failure> {
-    // Another build may live other lives.
+    let mut about = build()?;
+    about["experiment"] = E::NAME.into();
+    about["options"] = serde_json::to_value(options)?;
+    Ok(about)
+}
+
+/// Which build this is: another may live other lives.
+pub(super) fn build() -> Result<Value, Failure> {
     let program = fs::read(std::env::current_exe()?)?;
     let checksum = crc::Crc::<u64>::new(&crc::CRC_64_XZ).checksum(&program);
     Ok(json!({
-        "experiment": E::NAME,
         "version": env!("CARGO_PKG_VERSION"),
         "checksum of the program": format!("{checksum:016x}"),
-        "options": options,
     }))
 }
 

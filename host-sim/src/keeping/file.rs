@@ -1,13 +1,12 @@
 //! One brain, one file.
 
-use std::fs;
 use std::path::Path;
 
 use cla_core::snapshot::{LoadError, Names, Snapshot, SourceEnd, check};
 
 use crate::failure::Failure;
 use crate::learner::image::{image_of, take};
-use crate::whole::write;
+use crate::whole::{read as read_file, write};
 
 /// Most bytes of an image: a brain is smaller by far.
 const MOST_BYTES: u64 = 1 << 28;
@@ -46,10 +45,6 @@ pub(super) fn whole(length: u32, image: &[u8], path: &Path) -> Result<u32, Failu
 
 /// All bytes of a file.
 pub(super) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    let failed = |error| format!("cannot read {}: {error}", path.display());
-    let length = fs::metadata(path).map_err(failed)?.len();
-    if length > MOST_BYTES {
-        return Err(format!("{}: this is no image of a brain", path.display()).into());
-    }
-    Ok(fs::read(path).map_err(failed)?)
+    let failed = |why| format!("cannot read {}: {why}", path.display());
+    Ok(read_file(path, MOST_BYTES).map_err(failed)?)
 }

@@ -129,6 +129,10 @@ pub fn train(order: &Training) -> Result<String, Failure> {
         let bytes = whole(length, image, path)?;
         lines.push(format!("loaded {}, {bytes} bytes", path.display()));
     }
+    let other = order.act.filter(|&it| it != Adaptation::Relearning);
+    if matches!(pupil, Pupil::Mind(_)) && other.is_some() {
+        return Err("a mind adapts in its own way: --act relearning".into());
+    }
     if order.act.is_some() {
         pupil.learner().act()?;
     }
@@ -142,6 +146,8 @@ pub fn train(order: &Training) -> Result<String, Failure> {
     let lived = watched(pupil.learner(), &mut world, order.actions, &mut watch)?;
     lines.push(pupil.said(order.actions, lived.total()));
     if !order.log.is_empty() {
+        // What the last action has led to.
+        crew.shoot(pupil.learner(), &world, &world.sense(), world.obtained());
         let config = &order.world.config;
         let who = match (&order.load, order.brain) {
             (Some(path), _) => format!("the brain of {}", path.display()),
@@ -155,7 +161,7 @@ pub fn train(order: &Training) -> Result<String, Failure> {
             write_log(path, &life, &steps)?;
             lines.push(format!(
                 "logged {} actions in {}",
-                steps.len(),
+                steps.len() - 1,
                 path.display()
             ));
         }

@@ -1,11 +1,11 @@
 //! A life that is logged, read back in both forms, and spoilt.
 
-use super::{Life, Step, film, lines, mcap, steps, windows};
+use super::{Life, Step, complete, film, lines, mcap, steps, windows};
 use crate::experiment::recover::film::Film;
 
-/// Three thousand frames with captures, a doubt, and specimens that move.
+/// Three thousand actions with captures, a doubt, specimens that move, and what the last has led to.
 fn shot() -> Film {
-    let frames = 0..3000_usize;
+    let frames = 0..3001_usize;
     Film {
         poses: frames
             .clone()
@@ -26,8 +26,8 @@ fn shot() -> Film {
             .collect(),
         spoken: vec!["exploring".to_owned(), "+s3/forward/+\"ingrip\"".to_owned()],
         first: vec![Some([0.25, 0.5]), None],
-        doubts: vec![[7, 90], [2990, 3000]],
-        knocked: 3000,
+        doubts: vec![[7, 90], [2990, 3001]],
+        knocked: 3001,
     }
 }
 
@@ -43,7 +43,13 @@ fn a_log_in_both_forms_is_read_back_as_the_life_that_was_filmed() {
     let lines = lines::read(&lines::bytes(&life, &steps).unwrap()).unwrap();
     for (again, of) in [&mcap, &lines] {
         assert_eq!((again, of), (&life, &steps));
-        assert_eq!(film(again, of).unwrap(), shot());
+        let mut shown = shot();
+        let last = shown.poses.len() - 1;
+        shown.actions[last] = shown.actions[last - 1];
+        shown.values[last] = 0.0;
+        shown.thoughts[last] = shown.spoken.len();
+        shown.spoken.push("the log ends here".to_owned());
+        assert_eq!(film(again, of).unwrap(), shown);
     }
 }
 
@@ -51,6 +57,7 @@ fn a_log_in_both_forms_is_read_back_as_the_life_that_was_filmed() {
 fn a_log_that_is_cut_off_is_refused_at_every_length_in_a_sentence() {
     let (life, mut steps) = logged();
     steps.truncate(20);
+    steps.last_mut().unwrap().choice = None;
     for (whole, read) in [
         (
             mcap::bytes(&life, &steps).unwrap(),
@@ -60,15 +67,31 @@ fn a_log_that_is_cut_off_is_refused_at_every_length_in_a_sentence() {
     ] {
         for length in 0..whole.len() {
             let part = &whole[..length];
-            let Err(why) = read(part) else {
-                // Lines may end early: what is there is whole.
-                assert!(part.ends_with(b"\n"), "{length}");
-                continue;
-            };
+            let log = read(part).and_then(|(_, steps)| complete(&steps));
+            let why = log.unwrap_err();
             assert!(!why.is_empty() && !why.contains('\n'), "{why}");
         }
-        assert_eq!(read(&whole).unwrap().1, steps);
+        let again = read(&whole).unwrap().1;
+        assert_eq!(again, steps);
+        complete(&again).unwrap();
     }
+}
+
+#[test]
+fn a_gap_is_named_by_the_first_action_that_is_missing() {
+    let (_, whole) = logged();
+    let why = |spoil: fn(&mut Vec<Step>)| {
+        let mut steps = whole.clone();
+        spoil(&mut steps);
+        complete(&steps).unwrap_err()
+    };
+    complete(&whole).unwrap();
+    assert_eq!(why(|it| drop(it.remove(7))), "action 7 is missing");
+    assert_eq!(why(|it| drop(it.remove(0))), "action 0 is missing");
+    assert_eq!(why(|it| it.swap(7, 8)), "action 7 is missing");
+    assert_eq!(why(|it| it[7].choice = None), "action 7 has no choice");
+    assert!(why(|it| drop(it.pop())).starts_with("the log is cut off"));
+    assert_eq!(why(Vec::clear), "the log has no actions");
 }
 
 #[test]
@@ -81,7 +104,7 @@ fn what_no_pioneer_has_is_named_with_its_action() {
     };
     let no_item = spoilt(|it| it.percept.on.push("s9".to_owned()));
     assert_eq!(no_item, "action 11: there is no item \"s9\"");
-    let no_action = spoilt(|it| it.choice.action = "fly".to_owned());
+    let no_action = spoilt(|it| it.choice.as_mut().unwrap().action = "fly".to_owned());
     assert_eq!(no_action, "action 11: there is no action \"fly\"");
     let no_specimen = spoilt(|it| {
         it.specimens.push(super::Moved {
@@ -95,6 +118,6 @@ fn what_no_pioneer_has_is_named_with_its_action() {
 #[test]
 fn each_thousand_actions_has_what_it_brought() {
     let (_, steps) = logged();
-    let expected = "from,to,obtained,alarms\n0,1000,100,1\n1000,2000,100,0\n2000,3000,99,1\n";
+    let expected = "from,to,obtained,alarms\n0,1000,100,1\n1000,2000,100,0\n2000,3000,100,1\n";
     assert_eq!(windows(&steps), expected);
 }

@@ -100,7 +100,9 @@ pub(super) fn bytes(life: &Life, steps: &[Step]) -> Result<Vec<u8>, Failure> {
     log.say(0, 0, life)?;
     for step in steps {
         log.say(1, step.step, &step.percept)?;
-        log.say(2, step.step, &step.choice)?;
+        if let Some(choice) = &step.choice {
+            log.say(2, step.step, choice)?;
+        }
         log.say(3, step.step, &step.reward)?;
         if let Some(alarm) = &step.alarm {
             log.say(4, step.step, alarm)?;
@@ -140,7 +142,7 @@ impl Parts {
         Ok(Step {
             step,
             percept: self.must(step, 1)?,
-            choice: self.must(step, 2)?,
+            choice: self.part(step, 2)?,
             reward: self.must(step, 3)?,
             alarm: self.part(step, 4)?,
             pose: self.must(step, 5)?,
@@ -158,17 +160,21 @@ pub(super) fn read(bytes: &[u8]) -> Result<(Life, Vec<Step>), String> {
         // What another program has added is its own.
         let Some(topic) = topic else { continue };
         let parts = all.entry(message.log_time / ACTION).or_default();
-        parts.messages.insert(topic, message.data.into_owned());
+        if parts
+            .messages
+            .insert(topic, message.data.into_owned())
+            .is_some()
+        {
+            let action = message.log_time / ACTION;
+            return Err(format!("action {action} has {} twice", TOPICS[topic]));
+        }
     }
     let first = all.get(&0).ok_or("the log is empty")?;
     let life = first.must(0, 0)?;
-    let steps = (0..).zip(&all);
+    let steps = all.iter();
     let steps = steps
-        .filter(|(_, (_, parts))| parts.messages.keys().any(|&it| it > 0))
-        .map(|(step, (time, parts))| match u64::try_from(step) {
-            Ok(step) if step == *time => parts.step(step as usize),
-            _ => Err(format!("action {step} is missing")),
-        })
+        .filter(|(_, parts)| parts.messages.keys().any(|&it| it > 0))
+        .map(|(time, parts)| parts.step(*time as usize))
         .collect::<Result<Vec<Step>, String>>()?;
     Ok((life, steps))
 }

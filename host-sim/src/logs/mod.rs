@@ -12,11 +12,15 @@ use std::path::Path;
 
 pub use step::{Alarmed, Chosen, Life, Moved, Perceived, Pose, Rewarded, Step, film, steps};
 
+use step::complete;
+
 use crate::experiment::recover::replay::{Scene, replay};
 use crate::failure::{Failure, Impossible};
 use crate::report::{Section, leaf};
-use crate::whole::write;
+use crate::whole::{read, write};
 
+/// Most bytes of a log: a life of ten million actions has fewer.
+const MOST_BYTES: u64 = 1 << 34;
 /// Actions of a window.
 const WINDOW: usize = 1000;
 
@@ -72,19 +76,21 @@ pub fn write_log(path: &Path, life: &Life, steps: &[Step]) -> Result<(), Failure
     write(path, &bytes)
 }
 
-/// Reads a log.
+/// Reads a log; its last step is the end of the life, without a choice.
 ///
 /// # Errors
-/// One sentence, for a file that cannot be read, is cut off or damaged, or is no such log.
+/// One sentence, for a file that cannot be read, is cut off or damaged, has a gap, or is no such log.
 pub fn read_log(path: &Path) -> Result<(Life, Vec<Step>), Failure> {
     let failed = |why: String| -> Failure { format!("{}: {why}", path.display()).into() };
-    let bytes = std::fs::read(path).map_err(|it| failed(it.to_string()))?;
-    let read = match form(path) {
+    let bytes = read(path, MOST_BYTES).map_err(|it| failed(it.to_string()))?;
+    let log = match form(path) {
         Some(Form::Mcap) => mcap::read(&bytes),
         Some(Form::Lines) => lines::read(&bytes),
         _ => Err("a log that can be replayed ends in .mcap or .jsonl".to_owned()),
     };
-    read.map_err(failed)
+    let (life, steps) = log.map_err(failed)?;
+    complete(&steps).map_err(failed)?;
+    Ok((life, steps))
 }
 
 /// Makes the page that replays a log.
@@ -95,7 +101,9 @@ pub fn replayed(path: &Path, onto: &Path) -> Result<String, Failure> {
     let (life, steps) = read_log(path)?;
     let film = film(&life, &steps).map_err(|why| format!("{}: {why}", path.display()))?;
     let all = steps.last().map_or(0, |it| it.reward.in_all);
-    let said = format!("{} actions, {all} captures", steps.len());
+    // The last step is the end.
+    let actions = steps.len().saturating_sub(1);
+    let said = format!("{actions} actions, {all} captures");
     let scene = Scene {
         radius: life.radius,
         camera_range: life.camera_range,
@@ -116,10 +124,11 @@ pub fn replayed(path: &Path, onto: &Path) -> Result<String, Failure> {
 fn windows(steps: &[Step]) -> String {
     let mut text = "from,to,obtained,alarms\n".to_owned();
     let before = |step: Option<&Step>| step.map_or(0, |it| it.reward.in_all);
-    for (place, window) in steps.chunks(WINDOW).enumerate() {
+    let actions = steps.len().saturating_sub(1);
+    for (place, window) in steps[..actions].chunks(WINDOW).enumerate() {
         let from = place * WINDOW;
-        // What the last action of a window has brought is told with the next one's choice.
-        let end = steps.get(from + window.len()).or(window.last());
+        // What the last action of a window has brought is told with what comes next.
+        let end = steps.get(from + window.len());
         let obtained = before(end) - before(window.first());
         let alarmed = |it: &&Step| it.alarm.is_some_and(|it| it.doubts);
         let alarms = window.iter().filter(alarmed).count();

@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::experiment::recover::film::Film;
 use crate::world::pioneer::{ACTIONS, ITEMS};
 
+/// What stands in the place of a thought when the log ends.
+const END: &str = "the log ends here";
+
 /// What a log is about.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Life {
@@ -76,15 +79,16 @@ pub struct Moved {
     pub to: Option<[f64; 2]>,
 }
 
-/// One action.
+/// One action; the last record of a log has no choice, and says what the last action has led to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// Its number, from 0.
     pub step: usize,
     /// What was perceived.
     pub percept: Perceived,
-    /// What was chosen.
-    pub choice: Chosen,
+    /// What was chosen; nothing at the end of the life.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub choice: Option<Chosen>,
     /// What had been obtained.
     pub reward: Rewarded,
     /// Only where it changes.
@@ -113,12 +117,13 @@ impl Life {
     }
 }
 
-/// The steps of a film.
+/// The steps of a film, whose last frame shows what the last action has led to.
 #[must_use]
 pub fn steps(film: &Film) -> Vec<Step> {
     let doubts = |frame: usize| film.doubts.iter().any(|it| (it[0]..it[1]).contains(&frame));
     let mut before = film.captures.first().copied().unwrap_or(0);
     let mut all = Vec::with_capacity(film.poses.len());
+    let end = film.poses.len().saturating_sub(1);
     for (step, (pose, on)) in film.poses.iter().zip(&film.on).enumerate() {
         let in_all = film.captures.get(step).copied().unwrap_or(before);
         let thought = film.thoughts.get(step).and_then(|&it| film.spoken.get(it));
@@ -134,11 +139,11 @@ pub fn steps(film: &Film) -> Vec<Step> {
                     .map(|(_, name)| name.to_owned())
                     .collect(),
             },
-            choice: Chosen {
+            choice: (step < end).then(|| Chosen {
                 action: action.map_or("", |it| it).to_owned(),
                 schema: thought.cloned().unwrap_or_default(),
                 value: film.values.get(step).copied().unwrap_or(0.0),
-            },
+            }),
             reward: Rewarded {
                 obtained: in_all - before,
                 in_all,
@@ -159,10 +164,32 @@ pub fn steps(film: &Film) -> Vec<Step> {
     all
 }
 
+/// Whether these are all steps of a life: numbered from 0 on, each with a choice but the last.
+///
+/// # Errors
+/// A sentence for what is missing.
+pub(super) fn complete(steps: &[Step]) -> Result<(), String> {
+    if let Some((place, _)) = (0..).zip(steps).find(|(place, it)| it.step != *place) {
+        return Err(format!("action {place} is missing"));
+    }
+    let Some((end, before)) = steps.split_last() else {
+        return Err("the log has no actions".to_owned());
+    };
+    if let Some(it) = before.iter().find(|it| it.choice.is_none()) {
+        return Err(format!("action {} has no choice", it.step));
+    }
+    match end.choice {
+        None => Ok(()),
+        Some(_) => Err("the log is cut off: what its last action has led to is missing".to_owned()),
+    }
+}
+
 /// The film of a log; in words what the log has that no film can show.
 ///
 /// # Errors
 /// A sentence for an item, an action or a specimen that the Pioneer does not have.
+///
+/// The frame of the end goes on with the action before it.
 pub fn film(life: &Life, steps: &[Step]) -> Result<Film, String> {
     let mut film = Film {
         first: life.specimens.clone(),
@@ -177,9 +204,19 @@ pub fn film(life: &Life, steps: &[Step]) -> Result<Film, String> {
             let item = ITEMS.iter().position(|it| it == name);
             on |= 1 << item.ok_or_else(|| wrong(&format!("there is no item {name:?}")))?;
         }
-        let action = ACTIONS.iter().position(|it| *it == step.choice.action);
-        let name = &step.choice.action;
-        let action = action.ok_or_else(|| wrong(&format!("there is no action {name:?}")))?;
+        let before = film.actions.last().copied().unwrap_or_default();
+        let (action, schema, value) = match &step.choice {
+            Some(Chosen {
+                action,
+                schema,
+                value,
+            }) => {
+                let place = ACTIONS.iter().position(|it| it == action);
+                let place = place.ok_or_else(|| wrong(&format!("there is no action {action:?}")));
+                (place?, schema.as_str(), *value)
+            }
+            None => (before, END, 0.0),
+        };
         if let Some(it) = step
             .specimens
             .iter()
@@ -187,16 +224,16 @@ pub fn film(life: &Life, steps: &[Step]) -> Result<Film, String> {
         {
             return Err(wrong(&format!("there is no specimen {}", it.specimen)));
         }
-        let spoken = film.spoken.iter().position(|it| *it == step.choice.schema);
+        let spoken = film.spoken.iter().position(|it| it == schema);
         let spoken = spoken.unwrap_or_else(|| {
-            film.spoken.push(step.choice.schema.clone());
+            film.spoken.push(schema.to_owned());
             film.spoken.len() - 1
         });
         film.poses
             .push([step.pose.x, step.pose.y, step.pose.heading]);
         film.on.push(on);
         film.actions.push(action);
-        film.values.push(step.choice.value);
+        film.values.push(value);
         film.captures.push(step.reward.in_all);
         film.thoughts.push(spoken);
         let moved = step.specimens.iter().map(|it| (it.specimen, it.to));

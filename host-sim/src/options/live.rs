@@ -7,7 +7,7 @@ use crate::cli::{LiveArgs, SeedArgs};
 use crate::experiment::live::LiveOptions;
 use crate::experiment::sweep::{Axis, Shard, SweepOptions};
 use crate::failure::Impossible;
-use crate::settings::{self, empty, pair, put};
+use crate::settings::{self, empty, of_tree, pair, put};
 
 /// The lives that are asked for; their seeds stand in the file when the command line has none.
 ///
@@ -31,8 +31,15 @@ pub(super) fn sweep(
 ) -> Result<SweepOptions, Impossible> {
     let mut given = given(args)?;
     let seeds = seeds_of(asked, &mut given)?;
-    let grid = grid.iter().map(|text| Axis::parse(text));
-    let grid = grid.collect::<Result<_, _>>()?;
+    let written = given.as_object_mut().and_then(|it| it.remove("grid"));
+    let grid = match written {
+        // The command line goes before the file.
+        Some(axes) if grid.is_empty() => of_tree(axes, "grid")?,
+        _ => {
+            let grid = grid.iter().map(|text| Axis::parse(text));
+            grid.collect::<Result<_, _>>()?
+        }
+    };
     let shard = shard.map(|text| Shard::parse(text)).transpose()?;
     SweepOptions::new(seeds, &given, grid, shard)
 }
@@ -62,15 +69,21 @@ pub(super) fn given(args: &LiveArgs) -> Result<Value, Impossible> {
         Some(path) => settings::read(path)?,
         None => empty(),
     };
+    let set = args.set.iter().map(|text| pair(text));
+    let set = set.collect::<Result<Vec<_>, _>>()?;
     // Another world or agent than that of the file begins with its own settings.
-    for (part, name) in [("world", &args.world), ("agent", &args.agent)] {
-        if let Some(name) = name {
-            let was = tree.get(part).and_then(|it| it.get("name"));
-            if was.is_some_and(|was| was != name.as_str()) {
-                put(&mut tree, part, empty())?;
-            }
-            put(&mut tree, &format!("{part}.name"), name.as_str().into())?;
+    for (part, asked) in [("world", &args.world), ("agent", &args.agent)] {
+        let key = format!("{part}.name");
+        let last = set.iter().rev().find(|(it, _)| *it == key);
+        let name = last.map(|(_, name)| name.clone());
+        let Some(name) = name.or_else(|| asked.as_deref().map(Value::from)) else {
+            continue;
+        };
+        let was = tree.get(part).and_then(|it| it.get("name"));
+        if was.is_some_and(|was| *was != name) {
+            put(&mut tree, part, empty())?;
         }
+        put(&mut tree, &key, name)?;
     }
     if !args.rival.is_empty() {
         put(&mut tree, "rivals", args.rival.clone().into())?;
@@ -78,8 +91,7 @@ pub(super) fn given(args: &LiveArgs) -> Result<Value, Impossible> {
     if !args.damage.is_empty() {
         put(&mut tree, "damages", args.damage.clone().into())?;
     }
-    for text in &args.set {
-        let (key, value) = pair(text)?;
+    for (key, value) in set {
         put(&mut tree, key, value)?;
     }
     Ok(tree)

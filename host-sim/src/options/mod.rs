@@ -51,6 +51,8 @@ pub struct Order {
     pub table: bool,
     /// Where trained brains are kept.
     pub brains: Option<PathBuf>,
+    /// Whether the same command goes on with what it has begun.
+    goes_on: bool,
 }
 
 /// A plan and the arguments that all experiments share: where its files go, what its brain may cost.
@@ -85,7 +87,18 @@ impl Order {
             budget,
             table: out.table,
             brains: out.save_brains.clone(),
+            goes_on: matches!(command, Command::Sweep { .. }) && out.out.is_some(),
         })
+    }
+
+    /// How the run in this directory is gone on with, in words.
+    #[must_use]
+    pub fn go_on(&self, directory: &Path) -> String {
+        if self.goes_on {
+            return "the same command goes on".to_owned();
+        }
+        let directory = directory.display();
+        format!("the same command with --resume --out {directory} goes on")
     }
 
     /// Runs the plan, and holds what it cost against its budget.
@@ -137,12 +150,16 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
         Command::Forage {
             seeds: which,
             world: place,
-            actions,
-            test_actions,
+            length,
             budget,
             out,
         } => {
-            let options = ForageOptions::new(seeds(which)?, world(place)?, *actions, *test_actions);
+            let options = ForageOptions::new(
+                seeds(which)?,
+                world(place)?,
+                length.actions,
+                length.test_actions,
+            );
             (plan::<Forage>(options?), out, Some(budget))
         }
         Command::Calibrate { out } => (plan::<Calibrate>(CalibrateOptions::standard()), out, None),
@@ -227,12 +244,11 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
         }
         Command::Hil {
             seeds: which,
-            actions,
-            test_actions,
+            length,
             budget,
             out,
         } => {
-            let options = HilOptions::new(seeds(which)?, *actions, *test_actions)?;
+            let options = HilOptions::new(seeds(which)?, length.actions, length.test_actions)?;
             (plan::<Hil>(options), out, Some(budget))
         }
         Command::Errand(_) => return Err(Impossible::new("this is no experiment")),

@@ -37,6 +37,10 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
     let no = |option: &str, names: &str, it: &str| {
         Impossible::new(format!("{option} is {names}, not {it:?}"))
     };
+    if brain == "mind" && load.is_none() && act.as_deref().is_some_and(|it| it != "relearning") {
+        let sentence = "--act: a mind adapts in its own way, which is relearning";
+        return Err(Impossible::new(sentence));
+    }
     Ok(Some(Training {
         seed: *seed,
         world: world(place)?,

@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 use std::path::Path;
-use std::{fmt, fs};
 
 use super::config::PioneerConfig;
 use super::layout::Layout;
 use super::pioneer::Pioneer;
 use crate::failure::Impossible;
+use crate::whole::read_text;
 
 /// Most actions that one part of a life may have.
 pub const MOST_ACTIONS: u32 = 10_000_000;
@@ -89,17 +89,8 @@ impl WorldOptions {
 /// [`Impossible`] when the file cannot be read or its places do not fit the room.
 pub fn read_layout(path: &Path, radius: f64) -> Result<Layout, Impossible> {
     let name = path.display();
-    let unread =
-        |why: &dyn fmt::Display| Impossible::new(format!("cannot read the layout {name}: {why}"));
-    let about = fs::metadata(path).map_err(|error| unread(&error))?;
-    // A pipe may never end, and a device has no end.
-    if !about.is_file() {
-        return Err(unread(&"it is no file"));
-    }
-    if about.len() > MOST_BYTES {
-        return Err(unread(&format_args!("it has more than {MOST_BYTES} bytes")));
-    }
-    let text = fs::read_to_string(path).map_err(|error| unread(&error))?;
+    let text = read_text(path, MOST_BYTES)
+        .map_err(|why| Impossible::new(format!("cannot read the layout {name}: {why}")))?;
     Layout::parse(&text, radius)
         .map_err(|error| Impossible::new(format!("the layout {name} is wrong: {error}")))
 }

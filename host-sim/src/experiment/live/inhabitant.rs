@@ -109,9 +109,9 @@ impl Inhabitant {
         let (base, full) = settings_of(&name, place)?;
         let mut settings = base;
         overlay(&mut settings, &full, &given, path)?;
-        let nature = Nature::new(&name, settings.clone(), path)?;
+        let nature = Nature::new(&name, settings, path)?;
         let mut whole = json!({ "name": name });
-        if let (Some(to), Value::Object(from)) = (whole.as_object_mut(), settings) {
+        if let (Some(to), Value::Object(from)) = (whole.as_object_mut(), nature.settings()?) {
             to.extend(from);
         }
         let it = Self {
@@ -224,6 +224,21 @@ impl Nature {
             }
         })
     }
+
+    /// The settings as they are lived with: numbers as the learner has them, not as they were written.
+    fn settings(&self) -> Result<Value, Impossible> {
+        match self {
+            Self::Mind(config) => tree_of(config),
+            Self::Agent(config, adaptation) => {
+                let mut tree = tree_of(config)?;
+                tree["adaptation"] = tree_of(adaptation)?;
+                Ok(tree)
+            }
+            Self::Table(config) => tree_of(config),
+            Self::Linear(config) => tree_of(config),
+            Self::Servo | Self::Told | Self::Random => Ok(json!({})),
+        }
+    }
 }
 
 /// The settings that a learner has by its name, and with all parts that may be missing.
@@ -324,32 +339,35 @@ fn servo(place: &Place, seed: u64) -> Box<dyn Pupil> {
 /// The one learner; where rewards are numbers, no item is worth anything by itself.
 fn mind(config: MindConfig, place: &Place, seed: u64) -> Result<Box<dyn Pupil>, Failure> {
     let valued = place.valued_item().filter(|_| !place.gives_numbers());
+    let actions = place.actions().len();
     macro_rules! of {
         ($words:literal, $items:literal, $actions:literal) => {{
             let mut values = [0.0; $items];
             if let Some(value) = valued.and_then(|item| values.get_mut(item)) {
                 *value = VALUE;
             }
-            let it = Minded::<$words, $items, $actions>::born(config, values, seed)?;
-            Box::new(it) as Box<dyn Pupil>
+            let mind = Minded::<$words, $items, $actions>::born_among;
+            Box::new(mind(config, values, actions, seed)?) as Box<dyn Pupil>
         }};
     }
-    macro_rules! any {
-        ($words:literal, $items:literal, $given:expr, $($actions:literal)+) => {
-            match $given {
-                $($actions => of!($words, $items, $actions),)+
-                other => return Err(format!("no brain has {other} actions").into()),
-            }
-        };
-    }
-    Ok(match (place.items().len(), place.actions().len()) {
+    // Each size is compiled by itself: those of described worlds, those of `one`, and one for the rest.
+    Ok(match (place.items().len(), actions) {
         (7, 6) => of!(1, 7, 6),
         (16, 4) => of!(1, 16, 4),
         (5, 3) => of!(1, 5, 3),
         (15, 5) => of!(1, 15, 5),
         (48, 6) => of!(2, 48, 6),
-        (..=64, actions) => any!(2, 64, actions, 1 2 3 4 5 6 7 8 9 10 11 12),
-        (_, actions) => any!(4, 120, actions, 1 2 3 4 5 6 7 8 9 10 11 12),
+        (..=64, 3) => of!(2, 64, 3),
+        (..=64, 4) => of!(2, 64, 4),
+        (..=64, 5) => of!(2, 64, 5),
+        (..=64, 6) => of!(2, 64, 6),
+        (..=64, 7) => of!(2, 64, 7),
+        (..=64, 8) => of!(2, 64, 8),
+        (..=64, 9) => of!(2, 64, 9),
+        (..=64, 10) => of!(2, 64, 10),
+        (..=64, 11) => of!(2, 64, 11),
+        (..=64, 12) => of!(2, 64, 12),
+        _ => of!(4, 120, 12),
     })
 }
 

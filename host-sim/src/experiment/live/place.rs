@@ -3,13 +3,13 @@
 
 use std::path::Path;
 use std::sync::Arc;
-use std::{fmt, fs};
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::failure::{Failure, Impossible};
 use crate::settings::{empty, no_name, of_tree, overlay, tree_of};
+use crate::whole::read_text;
 use crate::world::config::PioneerConfig;
 use crate::world::distracted::Distracted;
 use crate::world::generated::{Generated, Spec};
@@ -152,14 +152,19 @@ impl Place {
         join(&mut all, around);
         overlay(&mut all, &json!({"layout": ""}), &given, "world")?;
         let (around, own) = split(&all, &around_names);
-        let mut settings = json!({ "name": name });
-        join(&mut settings, all);
         let around: Around = of_tree(around, "world")?;
         if !(0.0..=1.0).contains(&around.lost) {
             let sentence = format!("world.lost is a share from 0 to 1, not {}", around.lost);
             return Err(Impossible::new(sentence));
         }
+        let layout = own.get("layout").cloned();
         let kind = Kind::new(&name, own)?;
+        let mut settings = json!({ "name": name });
+        join(&mut settings, kind.settings()?);
+        if let Some(layout) = layout {
+            join(&mut settings, json!({ "layout": layout }));
+        }
+        join(&mut settings, tree_of(&around)?);
         let bare = kind.build(0, 0).map_err(Impossible::new)?;
         let place = Self {
             settings,
@@ -311,6 +316,18 @@ impl Kind {
         })
     }
 
+    /// The settings as they are lived with, but for the name of a layout's file.
+    fn settings(&self) -> Result<Value, Impossible> {
+        match self {
+            Self::Pioneer(options) => tree_of(&options.config),
+            Self::Microworld(it) => tree_of(it),
+            Self::Generated(spec) => tree_of(&Drawn { spec: *spec }),
+            Self::Vacuum | Self::Keys | Self::Lake | Self::Shuttle(_) | Self::File(..) => {
+                Ok(empty())
+            }
+        }
+    }
+
     fn build(&self, life: u64, seed: u64) -> Result<Box<dyn World>, Failure> {
         Ok(match self {
             Self::Pioneer(options) => Box::new(options.build(seed)?),
@@ -364,17 +381,8 @@ fn split(all: &Value, like: &Value) -> (Value, Value) {
 /// [`Impossible`] for a file that cannot be read, and with line and column for one that is no POMDP.
 fn read_pomdp(path: &Path) -> Result<(Pomdp, u64), Impossible> {
     let name = path.display();
-    let unread =
-        |why: &dyn fmt::Display| Impossible::new(format!("cannot read the world {name}: {why}"));
-    let about = fs::metadata(path).map_err(|error| unread(&error))?;
-    // A pipe may never end, and a device has no end.
-    if !about.is_file() {
-        return Err(unread(&"it is no file"));
-    }
-    if about.len() > MOST_BYTES {
-        return Err(unread(&format_args!("it has more than {MOST_BYTES} bytes")));
-    }
-    let text = fs::read_to_string(path).map_err(|error| unread(&error))?;
+    let text = read_text(path, MOST_BYTES)
+        .map_err(|why| Impossible::new(format!("cannot read the world {name}: {why}")))?;
     let model = Pomdp::parse(&text);
     let model = model.map_err(|error| Impossible::new(format!("{name}, {error}")))?;
     let checksum = crc::Crc::<u64>::new(&crc::CRC_64_XZ).checksum(text.as_bytes());

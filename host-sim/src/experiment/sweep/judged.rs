@@ -36,25 +36,11 @@ pub(super) fn summary(options: &SweepOptions, cases: &[Case], trials: &[Trial]) 
     summary
 }
 
-/// Where a point lies, in words.
-fn named(point: &Point) -> String {
-    let each = point
-        .varied
-        .iter()
-        .map(|(key, value)| format!("{key} = {value}"));
-    let all: Vec<String> = each.collect();
-    if all.is_empty() {
-        "as it was given".to_owned()
-    } else {
-        all.join(", ")
-    }
-}
-
 fn claims(index: usize, point: &Point, cases: &[Case], trials: &[Trial]) -> Vec<Claim> {
     let lives = of(index, cases, trials);
     let claim = |name: String, unit: &str| {
         let claim = Expectation::new(format!("sweep.{index}.{name}"), "–", unit);
-        claim.extension().note(named(point))
+        claim.extension().note(point.named())
     };
     let numbers = |number: &dyn Fn(&Lives) -> f64| lives.clone().map(number).collect::<Vec<f64>>();
     let mut claims = vec![

@@ -12,9 +12,14 @@ use serde_json::Value;
 
 use super::options::{Case, Shard, SweepOptions};
 use super::{Sweep, Trial};
+use crate::experiment::noted::build;
 use crate::experiment::plan::Experiment;
 use crate::failure::{Failure, Impossible};
 use crate::report::{Circumstances, Journal, Results};
+use crate::whole::read_text;
+
+/// Most bytes of a journal.
+const MOST_BYTES: u64 = 1 << 34;
 
 /// A shard as it was found.
 struct Found {
@@ -23,6 +28,14 @@ struct Found {
     options: Value,
     shard: Option<Shard>,
     trials: BTreeMap<Case, Trial>,
+}
+
+impl Found {
+    /// Where it was found, and the commit that it was made at, if that is known.
+    fn built(&self) -> String {
+        let commit = commit(&self.directory).map(|commit| format!(" (commit {commit})"));
+        format!("{}{}", self.directory.display(), commit.unwrap_or_default())
+    }
 }
 
 /// A line of a shard's journal.
@@ -37,15 +50,14 @@ struct Entry {
 /// # Errors
 /// [`Impossible`] when they do not make up one sweep; [`Failure`] of the judgement.
 pub fn merge(directories: &[PathBuf]) -> Result<Results, Failure> {
-    let options = whole(directories)?;
-    let (options, trials) = options;
+    let (options, trials) = whole(directories, &build()?)?;
     let mut results = Sweep::judge(&options, &trials)?;
     results.summary.options = Some(serde_json::to_value(&options)?);
     Ok(results)
 }
 
 /// The options of the whole sweep, and the trials of all of its cases.
-fn whole(directories: &[PathBuf]) -> Result<(SweepOptions, Vec<Trial>), Impossible> {
+fn whole(directories: &[PathBuf], ours: &Value) -> Result<(SweepOptions, Vec<Trial>), Impossible> {
     let mut found = Vec::new();
     for directory in places(directories)? {
         found.push(read(&directory)?);
@@ -54,8 +66,21 @@ fn whole(directories: &[PathBuf]) -> Result<(SweepOptions, Vec<Trial>), Impossib
         return Err(Impossible::new("there is no shard to merge"));
     };
     for other in others {
-        same_build(first, other)?;
+        if !same_build(&first.about, &other.about) {
+            return Err(Impossible::new(format!(
+                "{} and {} were made by different builds",
+                first.built(),
+                other.built()
+            )));
+        }
         same_sweep(first, other)?;
+    }
+    if !same_build(&first.about, ours) {
+        return Err(Impossible::new(format!(
+            "{} was made by another build than the one that is to judge it: merge with the program \
+             that made it",
+            first.built()
+        )));
     }
     let sweep = SweepOptions::of_journal(&first.options)
         .map_err(|error| Impossible::new(format!("{}: {error}", first.directory.display())))?;
@@ -142,7 +167,7 @@ fn read(directory: &Path) -> Result<Found, Impossible> {
     let no_shard =
         |why: String| Impossible::new(format!("{name} holds no shard of a sweep: {why}"));
     let path = directory.join(Journal::NAME);
-    let text = fs::read_to_string(&path).map_err(|error| no_shard(error.to_string()))?;
+    let text = read_text(&path, MOST_BYTES).map_err(|why| no_shard(why.to_string()))?;
     // A line that was cut off is no line.
     let whole = text.rfind('\n').map_or("", |at| &text[..at]);
     let mut lines = whole.lines();
@@ -182,25 +207,14 @@ fn read(directory: &Path) -> Result<Found, Impossible> {
 
 /// The commit that a shard was made at, if its run came to its end.
 fn commit(directory: &Path) -> Option<String> {
-    let text = fs::read_to_string(directory.join(Circumstances::NAME)).ok()?;
+    let text = read_text(&directory.join(Circumstances::NAME), 1 << 20).ok()?;
     let noted: Value = serde_json::from_str(&text).ok()?;
     Some(noted.get("commit")?.as_str()?.to_owned())
 }
 
-fn same_build(one: &Found, other: &Found) -> Result<(), Impossible> {
-    let same = |key: &str| one.about.get(key) == other.about.get(key);
-    if same("version") && same("checksum of the program") {
-        return Ok(());
-    }
-    let named = |it: &Found| {
-        let commit = commit(&it.directory).map(|commit| format!(" (commit {commit})"));
-        format!("{}{}", it.directory.display(), commit.unwrap_or_default())
-    };
-    Err(Impossible::new(format!(
-        "{} and {} were made by different builds",
-        named(one),
-        named(other)
-    )))
+fn same_build(one: &Value, other: &Value) -> bool {
+    let same = |key: &str| one.get(key) == other.get(key);
+    same("version") && same("checksum of the program")
 }
 
 fn same_sweep(one: &Found, other: &Found) -> Result<(), Impossible> {

@@ -53,6 +53,7 @@ impl Experiment for Sweep {
     fn judge(options: &SweepOptions, trials: &[Trial]) -> Result<Results, Failure> {
         let cases = options.cases();
         let results = Results::new(judged::summary(options, &cases, trials));
+        let results = results.file(Live::SETTINGS, options.file()?);
         if let Some(shard) = options.shard {
             let mut results = results;
             let directory = shard.directory();

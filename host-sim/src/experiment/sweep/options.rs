@@ -1,13 +1,14 @@
 //! What a sweep varies: settings on a grid, seeds, and which part of it all is made here.
 
 use core::fmt;
+use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use crate::experiment::live::LiveOptions;
 use crate::failure::Impossible;
-use crate::settings::{put, value_of};
+use crate::settings::{empty, put, text, tree_of, value_of};
 
 /// Most trials of a sweep.
 const MOST: usize = 1_000_000;
@@ -16,6 +17,7 @@ const MOST_POINTS: usize = 10_000;
 
 /// A setting with the values that it takes in turn.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Axis {
     /// The setting, with dots.
     pub key: String,
@@ -53,7 +55,10 @@ impl Axis {
             }
         };
         for (index, value) in values.iter().enumerate() {
-            if values[..index].contains(value) {
+            // 1 and 1.0 are one number.
+            let number = value.as_f64();
+            let same = |it: &Value| it == value || number.is_some() && it.as_f64() == number;
+            if values[..index].iter().any(same) {
                 let sentence = format!("--grid: {key} takes {value} twice");
                 return Err(Impossible::new(sentence));
             }
@@ -118,6 +123,56 @@ pub struct Point {
     pub live: LiveOptions,
 }
 
+impl Point {
+    /// Where it lies, in words.
+    #[must_use]
+    pub fn named(&self) -> String {
+        let each = self.varied.iter();
+        let all: Vec<String> = each
+            .map(|(key, value)| format!("{key} = {value}"))
+            .collect();
+        if all.is_empty() {
+            "as it was given".to_owned()
+        } else {
+            all.join(", ")
+        }
+    }
+}
+
+/// Refuses axes that overwrite each other, and settings that would be lived with under another name.
+fn check_grid(grid: &[Axis], given: &Value) -> Result<(), Impossible> {
+    for (index, axis) in grid.iter().enumerate() {
+        if axis.values.is_empty() {
+            let sentence = format!("--grid has no values for {}", axis.key);
+            return Err(Impossible::new(sentence));
+        }
+        if grid[..index].iter().any(|it| it.key == axis.key) {
+            let sentence = format!("--grid names {} twice", axis.key);
+            return Err(Impossible::new(sentence));
+        }
+        let below = format!("{}.", axis.key);
+        if let Some(part) = grid.iter().find(|it| it.key.starts_with(&below)) {
+            let sentence = format!("--grid: {} is a part of {}", part.key, axis.key);
+            return Err(Impossible::new(sentence));
+        }
+        let Some(part) = axis.key.strip_suffix(".name") else {
+            continue;
+        };
+        let settings = given.get(part).and_then(Value::as_object);
+        let Some((settings, name)) = settings.and_then(|it| Some((it, it.get("name")?))) else {
+            continue;
+        };
+        if settings.len() > 1 && axis.values.iter().any(|it| it != name) {
+            let sentence = format!(
+                "--grid changes {}, and there are settings of {name}: leave the others or the name out",
+                axis.key
+            );
+            return Err(Impossible::new(sentence));
+        }
+    }
+    Ok(())
+}
+
 /// What is varied.
 #[derive(Clone, Debug)]
 pub struct SweepOptions {
@@ -155,12 +210,7 @@ impl SweepOptions {
         grid: Vec<Axis>,
         shard: Option<Shard>,
     ) -> Result<Self, Impossible> {
-        for (index, axis) in grid.iter().enumerate() {
-            if grid[..index].iter().any(|it| it.key == axis.key) {
-                let sentence = format!("--grid names {} twice", axis.key);
-                return Err(Impossible::new(sentence));
-            }
-        }
+        check_grid(&grid, given)?;
         let count = grid
             .iter()
             .try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
@@ -185,6 +235,17 @@ impl SweepOptions {
         let points = (0..count)
             .map(point)
             .collect::<Result<Vec<_>, Impossible>>()?;
+        let mut seen = BTreeMap::new();
+        for (index, point) in points.iter().enumerate() {
+            let says = serde_json::to_string(&point.live).map_err(Impossible::new)?;
+            if let Some(earlier) = seen.insert(says, index) {
+                let sentence = format!(
+                    "points {earlier} and {index} of the grid are the same lives: {}",
+                    point.named()
+                );
+                return Err(Impossible::new(sentence));
+            }
+        }
         let sweep = Self {
             seeds,
             given: given.clone(),
@@ -214,6 +275,35 @@ impl SweepOptions {
                 all.enumerate().filter(ours).map(|(_, case)| case).collect()
             }
         }
+    }
+
+    /// The sweep as a file, with all settings that its points share; the same sweep comes of it.
+    ///
+    /// # Errors
+    /// [`Impossible`] for a value that TOML cannot say.
+    pub fn file(&self) -> Result<String, Impossible> {
+        let first = self.points.first();
+        let mut all = first.map_or_else(empty, |it| it.live.settings());
+        for axis in &self.grid {
+            // Who is varied as a whole has at each point its own settings.
+            let whole = axis.key.strip_suffix(".name").unwrap_or(&axis.key);
+            if let Some(table) = all.as_object_mut().filter(|it| it.contains_key(whole)) {
+                table.remove(whole);
+                if let Some(given) = self.given.get(whole) {
+                    table.insert(whole.to_owned(), given.clone());
+                }
+            }
+        }
+        for axis in &self.grid {
+            remove(&mut all, &axis.key);
+        }
+        if let (Some(first), Some(last)) = (self.seeds.first(), self.seeds.last()) {
+            all["seeds"] = format!("{first}..{}", last + 1).into();
+        }
+        if !self.grid.is_empty() {
+            all["grid"] = tree_of(&self.grid)?;
+        }
+        text(&all)
     }
 
     /// The same sweep, all of it.
@@ -250,6 +340,21 @@ impl SweepOptions {
         } else {
             let sentence = "its worlds or learners are not what they were when it was made";
             Err(Impossible::new(sentence))
+        }
+    }
+}
+
+/// Takes a setting out of a tree.
+fn remove(tree: &mut Value, key: &str) {
+    let Some(table) = tree.as_object_mut() else {
+        return;
+    };
+    match key.split_once('.') {
+        None => drop(table.remove(key)),
+        Some((part, rest)) => {
+            if let Some(below) = table.get_mut(part) {
+                remove(below, rest);
+            }
         }
     }
 }

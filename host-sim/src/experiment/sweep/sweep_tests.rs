@@ -6,10 +6,12 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::{Axis, Shard, Sweep, SweepOptions, merge};
+use crate::experiment::live::LiveOptions;
 use crate::experiment::noted::run_noted;
 use crate::experiment::record::judged_again;
 use crate::progress::Progress;
 use crate::report::{Begin, Journal, Output, Results};
+use crate::settings::parse;
 
 /// A folder of a test's own, removed at its end.
 struct Folder(PathBuf);
@@ -141,6 +143,19 @@ fn shards_that_do_not_fit_are_refused_with_a_sentence() {
     fs::write(journal(&made[1]), other).unwrap();
     assert!(refused(&made).contains("were made by different builds"));
     fs::write(journal(&made[1]), &whole).unwrap();
+    // All of them by a build that is not the one that judges.
+    let each: Vec<String> = made
+        .iter()
+        .map(|it| fs::read_to_string(journal(it)).unwrap())
+        .collect();
+    for (shard, text) in made.iter().zip(&each) {
+        let from = "\"checksum of the program\":\"";
+        fs::write(journal(shard), text.replacen(from, &format!("{from}0"), 1)).unwrap();
+    }
+    assert!(refused(&made).contains("made by another build than the one that is to judge"));
+    for (shard, text) in made.iter().zip(&each) {
+        fs::write(journal(shard), text).unwrap();
+    }
     // Another configuration, other seeds, another cut.
     let other = folder.0.join("other");
     run(&sweep("0.1,0.3", Some("1/4")), &other);
@@ -181,9 +196,69 @@ fn shards_that_do_not_fit_are_refused_with_a_sentence() {
     assert!(refused(&[none]).contains("not what they were when it was made"));
 }
 
+/// The sweep that a file with settings asks for.
+fn of_file(text: &str) -> SweepOptions {
+    let mut given = parse(text).unwrap();
+    let table = given.as_object_mut().unwrap();
+    assert_eq!(table.remove("seeds").unwrap(), "0..6");
+    let grid = table.remove("grid").unwrap_or_else(|| json!([]));
+    let grid: Vec<Axis> = serde_json::from_value(grid).unwrap();
+    SweepOptions::new((0..6).collect(), &given, grid, None).unwrap()
+}
+
+#[test]
+fn a_sweep_is_written_with_all_settings_and_made_again_from_them() {
+    let points = |it: &SweepOptions| json!(it)["points"].clone();
+    let whole = sweep("0.1,0.2", None);
+    let text = whole.file().unwrap();
+    assert!(
+        text.contains("discount") && !text.contains("\nalpha"),
+        "{text}"
+    );
+    assert_eq!(points(&of_file(&text)), points(&whole));
+    // Who is varied by name has settings of its own at each point.
+    let grid = ["world.name=lake,keys", "agent.name=q,mind"];
+    let grid = grid.map(|it| Axis::parse(it).unwrap()).to_vec();
+    let given = json!({"world": {"distractors": 2}, "protocol": {"training": 100}});
+    let named = SweepOptions::new((0..6).collect(), &given, grid, None).unwrap();
+    assert_eq!(named.points.len(), 4);
+    let again = of_file(&named.file().unwrap());
+    assert_eq!(points(&again), points(&named));
+    assert_eq!(again.points[3].live.world.settings()["distractors"], 2);
+}
+
+#[test]
+fn settings_of_one_learner_are_not_lived_with_under_the_name_of_another() {
+    let forager = LiveOptions::new(vec![1], json!({"agent": {"name": "forager"}})).unwrap();
+    let grid = |key: &str| vec![Axis::parse(key).unwrap()];
+    for key in ["agent.name=book,forager", "world.name=noise-free,pioneer"] {
+        let refused = SweepOptions::new(vec![1], &forager.settings(), grid(key), None);
+        let sentence = refused.unwrap_err().to_string();
+        assert!(sentence.contains("there are settings of"), "{sentence}");
+    }
+    // A name alone says nothing that the grid may not change.
+    let given = json!({"agent": {"name": "forager"}, "world": {"radius": 8}});
+    let sweep = SweepOptions::new(vec![1], &given, grid("agent.name=book,forager"), None).unwrap();
+    let own = |name: &str| {
+        let given = json!({"agent": {"name": name}, "world": {"radius": 8}});
+        json!(LiveOptions::new(vec![1], given).unwrap())
+    };
+    assert_eq!(json!(sweep.points[0].live), own("book"));
+    assert_eq!(json!(sweep.points[1].live), own("forager"));
+}
+
 #[test]
 fn impossible_sweeps_are_refused_in_one_sentence() {
-    for text in ["", "a", "=1", "a=", "a=1,1", "a=nan,1"] {
+    for text in [
+        "",
+        "a",
+        "=1",
+        "a=",
+        "a=1,1",
+        "a=0.9,0.90",
+        "a=1,1.0",
+        "a=nan,1",
+    ] {
         let sentence = Axis::parse(text).unwrap_err().to_string();
         assert!(!sentence.contains('\n') && !sentence.is_empty(), "{text}");
     }
@@ -202,6 +277,14 @@ fn impossible_sweeps_are_refused_in_one_sentence() {
         sweep.map(|_| ()).unwrap_err().to_string()
     };
     assert!(new(1, &["agent.alpha=0.1", "agent.alpha=0.2"], None).contains("twice"));
+    assert!(
+        new(1, &["agent.alpha=0.1", "agent={name=\"q\"}"], None).contains("is a part of agent")
+    );
+    // As an `f32` they are one number.
+    let grid = vec![Axis::parse("agent.discount=0.9,0.89999999").unwrap()];
+    let same = SweepOptions::new(vec![1], &json!({}), grid, None).unwrap_err();
+    let said = "points 0 and 1 of the grid are the same lives";
+    assert!(same.to_string().contains(said), "{same}");
     assert!(new(1, &["agent.alhpa=0.1"], None).contains("did you mean agent.alpha?"));
     assert!(new(1, &["agent.alpha=0.1,7"], None).contains("TabularConfig::alpha"));
     let shard = Some(Shard { index: 3, of: 4 });
