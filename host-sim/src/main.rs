@@ -13,6 +13,7 @@ use host_sim::logs;
 use host_sim::options::{self, Order};
 use host_sim::progress::Progress;
 use host_sim::report::{Circumstances, Journal, Output};
+use host_sim::teaching;
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
@@ -55,6 +56,15 @@ fn do_errand(errand: &Errand) -> ExitCode {
             // Shards that do not fit are options that cannot be.
             Err(failure) if failure.is::<Impossible>() => return refuse(&failure.to_string()),
             done => done,
+        },
+        Errand::Teach { .. } => match options::teaching(errand) {
+            Ok(Some(order)) => match teaching::taught(&order) {
+                // A log or a mapping that cannot be is an option that cannot be.
+                Err(failure) if failure.is::<Impossible>() => return refuse(&failure.to_string()),
+                done => done,
+            },
+            Ok(None) => Ok(String::new()),
+            Err(impossible) => return refuse(&impossible.to_string()),
         },
         Errand::Train { .. } => match options::training(errand) {
             Ok(Some(training)) => keeping::train(&training),

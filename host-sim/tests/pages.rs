@@ -169,6 +169,7 @@ fn pages_fit_a_telephone_and_a_desk_and_their_tables_sort() {
         world: WorldOptions {
             config: PioneerConfig::NOISY,
             layout: None,
+            path: None,
         },
         damages: vec![Damage::Camera(12.0), Damage::None],
         protocol: Protocol {

@@ -135,7 +135,7 @@ fn each_storey_of_the_core_imports_only_storeys_below() {
 }
 
 /// The storeys of the simulator, each with those that it may stand on.
-const SIMULATOR: [(&str, &[&str]); 15] = [
+const SIMULATOR: [(&str, &[&str]); 16] = [
     ("failure", &[]),
     ("whole", &["failure"]),
     ("settings", &["failure", "whole"]),
@@ -168,6 +168,10 @@ const SIMULATOR: [(&str, &[&str]); 15] = [
             "world",
         ],
     ),
+    (
+        "teaching",
+        &["failure", "learner", "report", "settings", "whole"],
+    ),
     ("cli", &[]),
     (
         "options",
@@ -181,6 +185,7 @@ const SIMULATOR: [(&str, &[&str]); 15] = [
             "progress",
             "report",
             "settings",
+            "teaching",
             "world",
         ],
     ),
@@ -195,6 +200,7 @@ const SIMULATOR: [(&str, &[&str]); 15] = [
             "options",
             "progress",
             "report",
+            "teaching",
         ],
     ),
 ];

@@ -26,6 +26,7 @@ fn two_seeds_of_the_foraging_run_live_the_same_lives_again() {
         world: WorldOptions {
             config: PioneerConfig::NOISY,
             layout: None,
+            path: None,
         },
         brain: AgentConfig::FORAGER,
         actions: 10_000,

@@ -29,6 +29,7 @@ fn live_again(place: usize, damage: &str) {
         world: WorldOptions {
             config: PioneerConfig::NOISY,
             layout: None,
+            path: None,
         },
         damages: vec![damage],
         protocol: Protocol::STANDARD,

@@ -27,37 +27,35 @@ pub struct OutArgs {
 }
 
 /// The seeds of a run.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct SeedArgs {
-    /// Seeds, without the last: 100..120 are twenty; or a single one.
-    #[arg(
-        long,
-        value_name = "A..B",
-        default_value = "100",
-        allow_negative_numbers = true
-    )]
-    pub seeds: String,
+    /// Seeds, without the last: 100..120 are twenty; or a single one [default: 100, or what a file with
+    /// settings says].
+    #[arg(long, value_name = "A..B", allow_negative_numbers = true)]
+    pub seeds: Option<String>,
+}
+
+/// Settings by name.
+#[derive(Clone, Debug, Default, Args)]
+pub struct SettingArgs {
+    /// File with settings in TOML; settings.toml of any run is one. What is said beside it goes before.
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
+    /// One setting, such as agent.discount=0.9 or protocol.training=20000; may be given several times,
+    /// and the last holds.
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub set: Vec<String>,
 }
 
 /// How long a life is.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct LengthArgs {
-    /// Actions of training; in forage a multiple of 1000.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 10_000,
-        allow_negative_numbers = true
-    )]
-    pub actions: u32,
-    /// Actions of a test.
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 3_000,
-        allow_negative_numbers = true
-    )]
-    pub test_actions: u32,
+    /// Actions of training; in forage a multiple of 1000 [default: 10000].
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub actions: Option<u32>,
+    /// Actions of a test [default: 3000].
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub test_actions: Option<u32>,
 }
 
 /// What the brain may cost on a microcontroller.
@@ -75,9 +73,9 @@ pub struct BudgetArgs {
 /// The Pioneer's world.
 #[derive(Clone, Debug, Args)]
 pub struct WorldArgs {
-    /// The set of parameters that the options below change: noisy or noise-free.
-    #[arg(long, value_name = "NAME", default_value = "noisy")]
-    pub world: String,
+    /// The set of parameters that the options below change: noisy or noise-free [default: noisy].
+    #[arg(long, value_name = "NAME")]
+    pub world: Option<String>,
     /// Radius of the room, metres [noisy: 5].
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     pub radius: Option<f64>,
@@ -109,10 +107,9 @@ pub struct WorldArgs {
 /// Who lives where, and what happens.
 #[derive(Clone, Debug, Default, Args)]
 pub struct LiveArgs {
-    /// File with settings in TOML: seeds, rivals, damages, and the tables world, agent and protocol;
-    /// settings.toml of any run is one.
-    #[arg(long, value_name = "FILE")]
-    pub config: Option<PathBuf>,
+    /// Seeds, rivals, damages, and the tables world, agent and protocol.
+    #[command(flatten)]
+    pub settings: SettingArgs,
     /// pioneer, noise-free, microworld, vacuum, keys, lake, shuttle, generated, or a .POMDP file.
     #[arg(long, value_name = "NAME|FILE")]
     pub world: Option<String>,
@@ -126,8 +123,4 @@ pub struct LiveArgs {
     /// What breaks, as recover takes it; may be given several times.
     #[arg(long, value_name = "DAMAGE")]
     pub damage: Vec<String>,
-    /// One setting, such as agent.discount=0.9 or world.distractors=8; may be given several times, and
-    /// the last holds.
-    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
-    pub set: Vec<String>,
 }

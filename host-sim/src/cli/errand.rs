@@ -38,6 +38,32 @@ pub enum Errand {
         #[arg(long, value_name = "FILE")]
         log: Vec<PathBuf>,
     },
+    /// Teach the one learner by a recorded log, and see how well it foretells what was held out.
+    Teach {
+        /// The log: a table of text, the sensors' readings and the action of a moment in each row.
+        #[arg(long, value_name = "FILE.csv")]
+        log: PathBuf,
+        /// How its columns become items and actions; see docs/bench.md.
+        #[arg(long, value_name = "FILE.toml")]
+        mapping: PathBuf,
+        /// The share of the log that is taught; the rest is held out.
+        #[arg(
+            long,
+            value_name = "SHARE",
+            default_value_t = 0.75,
+            allow_negative_numbers = true
+        )]
+        taught: f64,
+        /// The seed of the learner.
+        #[arg(long, value_name = "N", default_value_t = 100)]
+        seed: u64,
+        /// Keep the brain in this file.
+        #[arg(long, value_name = "FILE")]
+        save: Option<PathBuf>,
+        /// Write a page: who foretold how much, and what the learner holds to follow from what.
+        #[arg(long, value_name = "FILE.html")]
+        page: Option<PathBuf>,
+    },
     /// Put the shards of a sweep together and judge them, if they are all there and nothing else is.
     Merge {
         /// The directory of the sweep, or those of its shards.

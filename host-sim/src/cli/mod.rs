@@ -10,7 +10,7 @@ mod sentence;
 
 use clap::{Parser, Subcommand};
 
-pub use args::{BudgetArgs, LengthArgs, LiveArgs, OutArgs, SeedArgs, WorldArgs};
+pub use args::{BudgetArgs, LengthArgs, LiveArgs, OutArgs, SeedArgs, SettingArgs, WorldArgs};
 pub use errand::Errand;
 pub use sentence::sentence;
 
@@ -40,6 +40,9 @@ pub enum Command {
         /// How long they are.
         #[command(flatten)]
         length: LengthArgs,
+        /// Everything by name.
+        #[command(flatten)]
+        settings: SettingArgs,
         /// What the brain may cost.
         #[command(flatten)]
         budget: BudgetArgs,
@@ -74,8 +77,9 @@ pub enum Command {
     /// A robot is damaged in mid-life and recovers, beside its rivals (book, 6.3, 7.1.1).
     Recover {
         /// What breaks: camera:DEGREES, shift:N, dead:ITEM, stuck:ITEM, swap:A,B, pull:DEGREES,
-        /// weak:ACTION, slip:SHARE, lost:ACTION, beam, none; or all. May be given several times.
-        #[arg(long, value_name = "DAMAGE", default_value = "camera:+12")]
+        /// weak:ACTION, slip:SHARE, lost:ACTION, beam, none; or all. May be given several times
+        /// [default: camera:+12].
+        #[arg(long, value_name = "DAMAGE")]
         damage: Vec<String>,
         /// Which lives.
         #[command(flatten)]
@@ -83,6 +87,9 @@ pub enum Command {
         /// Where they are lived.
         #[command(flatten)]
         world: WorldArgs,
+        /// Everything by name.
+        #[command(flatten)]
+        settings: SettingArgs,
         /// What the brain may cost.
         #[command(flatten)]
         budget: BudgetArgs,
@@ -114,15 +121,18 @@ pub enum Command {
         /// The forager also lives 200,000 and then ten million actions.
         #[arg(long)]
         long: bool,
+        /// Everything by name.
+        #[command(flatten)]
+        settings: SettingArgs,
         /// Where the files go.
         #[command(flatten)]
         out: OutArgs,
     },
     /// Any learner in any world, or in that of a file, damaged in mid-life; all settings by name.
     Live {
-        /// Which lives [default: 100, or what the file says].
-        #[arg(long, value_name = "A..B", allow_negative_numbers = true)]
-        seeds: Option<String>,
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
         /// Who lives where.
         #[command(flatten)]
         live: LiveArgs,
@@ -151,9 +161,9 @@ pub enum Command {
         /// A setting and the values that it takes in turn; may be given several times.
         #[arg(long, value_name = "KEY=VALUE,VALUE…", allow_hyphen_values = true)]
         grid: Vec<String>,
-        /// Which lives [default: 100, or what the file says].
-        #[arg(long, value_name = "A..B", allow_negative_numbers = true)]
-        seeds: Option<String>,
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
         /// Make the trials I, I + N, I + 2 N … alone, in a directory of their own below --out.
         #[arg(long, value_name = "I/N", requires = "out")]
         shard: Option<String>,

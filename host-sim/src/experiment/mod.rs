@@ -14,6 +14,7 @@ pub mod one;
 pub mod plan;
 pub mod record;
 pub mod recover;
+pub mod settled;
 pub mod survive;
 pub mod sweep;
 

@@ -2,18 +2,18 @@
 
 use serde_json::Value;
 
-use super::shared::seeds;
+use super::settled::{seeds_of, written};
 use crate::cli::{LiveArgs, SeedArgs};
 use crate::experiment::live::LiveOptions;
 use crate::experiment::sweep::{Axis, Shard, SweepOptions};
 use crate::failure::Impossible;
-use crate::settings::{self, empty, of_tree, pair, put};
+use crate::settings::{empty, of_tree, pair, put};
 
 /// The lives that are asked for; their seeds stand in the file when the command line has none.
 ///
 /// # Errors
 /// [`Impossible`] for the first thing that cannot be.
-pub(super) fn live(asked: Option<&String>, args: &LiveArgs) -> Result<LiveOptions, Impossible> {
+pub(super) fn live(asked: &SeedArgs, args: &LiveArgs) -> Result<LiveOptions, Impossible> {
     let mut given = given(args)?;
     let seeds = seeds_of(asked, &mut given)?;
     LiveOptions::new(seeds, given)
@@ -25,7 +25,7 @@ pub(super) fn live(asked: Option<&String>, args: &LiveArgs) -> Result<LiveOption
 /// [`Impossible`] for the first thing that cannot be.
 pub(super) fn sweep(
     grid: &[String],
-    asked: Option<&String>,
+    asked: &SeedArgs,
     shard: Option<&String>,
     args: &LiveArgs,
 ) -> Result<SweepOptions, Impossible> {
@@ -44,32 +44,13 @@ pub(super) fn sweep(
     SweepOptions::new(seeds, &given, grid, shard)
 }
 
-/// The seeds of the command line, or of the file, or one.
-fn seeds_of(asked: Option<&String>, given: &mut Value) -> Result<Vec<u64>, Impossible> {
-    let written = given.as_object_mut().and_then(|it| it.remove("seeds"));
-    let text = match (asked, written) {
-        (Some(text), _) => text.clone(),
-        (None, Some(Value::String(text))) => text,
-        (None, Some(Value::Number(number))) => number.to_string(),
-        (None, Some(other)) => {
-            let sentence = format!("seeds are a text such as \"100..110\", not {other}");
-            return Err(Impossible::new(sentence));
-        }
-        (None, None) => "100".to_owned(),
-    };
-    seeds(&SeedArgs { seeds: text })
-}
-
 /// All settings that are given, as a tree.
 ///
 /// # Errors
 /// [`Impossible`] for a file or a setting that cannot be read.
 pub(super) fn given(args: &LiveArgs) -> Result<Value, Impossible> {
-    let mut tree = match &args.config {
-        Some(path) => settings::read(path)?,
-        None => empty(),
-    };
-    let set = args.set.iter().map(|text| pair(text));
+    let mut tree = written(&args.settings)?;
+    let set = args.settings.set.iter().map(|text| pair(text));
     let set = set.collect::<Result<Vec<_>, _>>()?;
     // Another world or agent than that of the file begins with its own settings.
     for (part, asked) in [("world", &args.world), ("agent", &args.agent)] {

@@ -4,6 +4,7 @@
 //! written or trained yet.
 
 mod live;
+mod settled;
 mod shared;
 mod training;
 
@@ -17,15 +18,15 @@ use crate::device::budget::Budget;
 use crate::experiment::angle::{Angle, AngleOptions};
 use crate::experiment::calibrate::{Calibrate, CalibrateOptions};
 use crate::experiment::causal::{Causal, CausalOptions};
-use crate::experiment::forage::{Forage, ForageOptions};
+use crate::experiment::forage::Forage;
 use crate::experiment::hil::{Hil, HilOptions};
 use crate::experiment::live::Live;
 use crate::experiment::mcu::{Mcu, McuOptions};
 use crate::experiment::microworld::{Chapter5, MicroworldOptions, Pursuit, PursuitOptions};
 use crate::experiment::noted::{Plan, Planned};
-use crate::experiment::one::{One, OneOptions};
+use crate::experiment::one::One;
 use crate::experiment::plan::Experiment;
-use crate::experiment::recover::{Recover, RecoverOptions};
+use crate::experiment::recover::Recover;
 use crate::experiment::survive::{Scale, Survive, SurviveOptions};
 use crate::experiment::sweep::{Shard, Sweep};
 use crate::failure::{Failure, Impossible};
@@ -33,7 +34,7 @@ use crate::progress::Progress;
 use crate::report::{Begin, Journal, Place, Results};
 
 pub use shared::{seeds, world};
-pub use training::training;
+pub use training::{teaching, training};
 
 /// The experiments whose trained brains can be kept.
 const BRAINS: [&str; 3] = ["forage", "recover", "one"];
@@ -151,16 +152,12 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
             seeds: which,
             world: place,
             length,
+            settings,
             budget,
             out,
         } => {
-            let options = ForageOptions::new(
-                seeds(which)?,
-                world(place)?,
-                length.actions,
-                length.test_actions,
-            );
-            (plan::<Forage>(options?), out, Some(budget))
+            let options = settled::forage(which, place, *length, settings)?;
+            (plan::<Forage>(options), out, Some(budget))
         }
         Command::Calibrate { out } => (plan::<Calibrate>(CalibrateOptions::standard()), out, None),
         Command::Causal { seeds: which, out } => {
@@ -175,10 +172,11 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
             damage,
             seeds: which,
             world: place,
+            settings,
             budget,
             out,
         } => {
-            let options = RecoverOptions::new(seeds(which)?, world(place)?, damage)?;
+            let options = settled::recover(which, place, damage, settings)?;
             (plan::<Recover>(options), out, Some(budget))
         }
         Command::Microworld {
@@ -200,16 +198,17 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
             seeds: which,
             parts,
             long,
+            settings,
             out,
         } => {
-            let options = OneOptions::new(seeds(which)?, parts, *long)?;
+            let options = settled::one(which, parts, *long, settings)?;
             (plan::<One>(options), out, None)
         }
         Command::Live {
             seeds: which,
             live: args,
             out,
-        } => (plan::<Live>(live::live(which.as_ref(), args)?), out, None),
+        } => (plan::<Live>(live::live(which, args)?), out, None),
         Command::Survive {
             seeds: which,
             part,
@@ -229,7 +228,7 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
             live: args,
             out,
         } => {
-            let options = live::sweep(grid, which.as_ref(), shard.as_ref(), args)?;
+            let options = live::sweep(grid, which, shard.as_ref(), args)?;
             (plan::<Sweep>(options), out, None)
         }
         Command::Mcu {
@@ -248,7 +247,11 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
             budget,
             out,
         } => {
-            let options = HilOptions::new(seeds(which)?, length.actions, length.test_actions)?;
+            let options = HilOptions::new(
+                seeds(which)?,
+                length.actions.unwrap_or(10_000),
+                length.test_actions.unwrap_or(3_000),
+            )?;
             (plan::<Hil>(options), out, Some(budget))
         }
         Command::Errand(_) => return Err(Impossible::new("this is no experiment")),

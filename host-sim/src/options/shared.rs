@@ -13,7 +13,7 @@ const MOST_SEEDS: u64 = 100_000;
 /// # Errors
 /// [`Impossible`] for anything else, an empty range and more than 100,000 seeds.
 pub fn seeds(args: &SeedArgs) -> Result<Vec<u64>, Impossible> {
-    let text = args.seeds.trim();
+    let text = args.seeds.as_deref().unwrap_or("100").trim();
     let number = |part: &str| {
         let digits = part.parse::<u64>();
         digits.map_err(|_| Impossible::new(format!("--seeds takes A..B or A, not {text:?}")))
@@ -43,14 +43,23 @@ pub fn seeds(args: &SeedArgs) -> Result<Vec<u64>, Impossible> {
 /// # Errors
 /// [`Impossible`] for the first thing that cannot be.
 pub fn world(args: &WorldArgs) -> Result<WorldOptions, Impossible> {
-    let base = match args.world.as_str() {
-        "noisy" => PioneerConfig::NOISY,
-        "noise-free" => PioneerConfig::NOISE_FREE,
-        other => {
+    let base = match args.world.as_deref() {
+        None | Some("noisy") => PioneerConfig::NOISY,
+        Some("noise-free") => PioneerConfig::NOISE_FREE,
+        Some(other) => {
             let sentence = format!("--world is noisy or noise-free, not {other:?}");
             return Err(Impossible::new(sentence));
         }
     };
+    changed(&WorldOptions::new(base, None)?, args)
+}
+
+/// A world with what the arguments change.
+///
+/// # Errors
+/// [`Impossible`] for the first thing that cannot be.
+pub(super) fn changed(world: &WorldOptions, args: &WorldArgs) -> Result<WorldOptions, Impossible> {
+    let base = world.config;
     let config = PioneerConfig {
         radius: args.radius.unwrap_or(base.radius),
         specimens: args.specimens.unwrap_or(base.specimens),
@@ -70,11 +79,15 @@ pub fn world(args: &WorldArgs) -> Result<WorldOptions, Impossible> {
         let sentence = "--specimens does not go with --layout: the file says how many there are";
         return Err(Impossible::new(sentence));
     }
-    let layout = args.layout.as_deref();
-    let layout = layout
+    let path = args.layout.as_ref().or(world.path.as_ref());
+    let layout = path
         .map(|path| read_layout(path, config.radius))
         .transpose()?;
-    WorldOptions::new(config, layout)
+    let world = WorldOptions::new(config, layout)?;
+    Ok(WorldOptions {
+        path: path.cloned(),
+        ..world
+    })
 }
 
 #[cfg(test)]
@@ -85,7 +98,7 @@ mod tests {
 
     fn read(text: &str) -> Result<Vec<u64>, Impossible> {
         seeds(&SeedArgs {
-            seeds: text.to_owned(),
+            seeds: Some(text.to_owned()),
         })
     }
 
@@ -115,7 +128,7 @@ mod tests {
 
     fn noisy() -> WorldArgs {
         WorldArgs {
-            world: "noisy".to_owned(),
+            world: None,
             radius: None,
             specimens: None,
             forward: None,
@@ -133,7 +146,7 @@ mod tests {
         let spoil: [fn(&mut WorldArgs); 6] = [
             |w| w.specimens = Some(0),
             |w| w.drop_out = Some(f64::NAN),
-            |w| w.world = "quiet".to_owned(),
+            |w| w.world = Some("quiet".to_owned()),
             |w| w.layout = Some("no/such/file".into()),
             // 500 specimens of 0.1 m do not fit a room of 1 m.
             |w| (w.radius, w.specimens) = (Some(1.0), Some(500)),

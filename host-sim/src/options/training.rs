@@ -1,4 +1,4 @@
-//! The training of one brain.
+//! The training of one brain, in a world or by a log.
 
 use cla_core::agent::{Adaptation, AgentConfig};
 
@@ -7,6 +7,7 @@ use crate::cli::Errand;
 use crate::failure::Impossible;
 use crate::keeping::{Raised, Training};
 use crate::logs::check_name;
+use crate::teaching::Teaching;
 use crate::world::setting::MOST_ACTIONS;
 
 /// The training of one brain that the arguments ask for.
@@ -67,5 +68,35 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
         load: load.clone(),
         save: save.clone(),
         log: log.clone(),
+    }))
+}
+
+/// The teaching by a log that the arguments ask for.
+///
+/// # Errors
+/// [`Impossible`] for a share that leaves nothing to teach or to hold out.
+pub fn teaching(errand: &Errand) -> Result<Option<Teaching>, Impossible> {
+    let Errand::Teach {
+        log,
+        mapping,
+        taught,
+        seed,
+        save,
+        page,
+    } = errand
+    else {
+        return Ok(None);
+    };
+    if !(*taught > 0.0 && *taught < 1.0) {
+        let sentence = format!("--taught is a share above 0 and below 1, not {taught}");
+        return Err(Impossible::new(sentence));
+    }
+    Ok(Some(Teaching {
+        log: log.clone(),
+        mapping: mapping.clone(),
+        taught: *taught,
+        seed: *seed,
+        save: save.clone(),
+        page: page.clone(),
     }))
 }

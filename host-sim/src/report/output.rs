@@ -125,11 +125,14 @@ impl Output {
         }
     }
 
-    /// Writes a picture as `name.svg` and `name.png`.
+    /// Writes a picture as `name.svg` and `name.png`, and its points as `name.csv`.
     ///
     /// # Errors
-    /// [`OutputError`] when one of the two cannot be written.
+    /// [`OutputError`] when one of them cannot be written.
     pub fn write_picture(&self, name: &str, picture: &Picture) -> Result<PathBuf, OutputError> {
+        if let Some(points) = &picture.csv {
+            self.write(&format!("{name}.csv"), points.as_bytes())?;
+        }
         self.write(&format!("{name}.svg"), picture.svg.as_bytes())?;
         self.write(&format!("{name}.png"), &picture.png)
     }

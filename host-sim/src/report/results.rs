@@ -57,7 +57,7 @@ impl Results {
         self
     }
 
-    /// Adds a picture, which is written as `name.svg` and `name.png`.
+    /// Adds a picture, which is written as `name.svg` and `name.png`, and its points as `name.csv`.
     #[must_use]
     pub fn picture(mut self, name: &str, picture: Picture) -> Self {
         self.pictures.push((name.to_owned(), picture));

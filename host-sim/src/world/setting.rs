@@ -1,7 +1,7 @@
 //! The setting of a life: the Pioneer's world as it can be built for any seed.
 
 use serde::Serialize;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::config::PioneerConfig;
 use super::layout::Layout;
@@ -21,6 +21,9 @@ pub struct WorldOptions {
     pub config: PioneerConfig,
     /// The places of the specimens, when a file gives them.
     pub layout: Option<Layout>,
+    /// That file.
+    #[serde(skip)]
+    pub path: Option<PathBuf>,
 }
 
 impl WorldOptions {
@@ -30,7 +33,11 @@ impl WorldOptions {
     /// [`Impossible`] for the first thing that cannot be.
     pub fn new(config: PioneerConfig, layout: Option<Layout>) -> Result<Self, Impossible> {
         config.validate().map_err(Impossible::new)?;
-        let options = Self { config, layout };
+        let options = Self {
+            config,
+            layout,
+            path: None,
+        };
         options.build(0)?;
         Ok(options)
     }
@@ -67,6 +74,7 @@ impl WorldOptions {
         Self {
             config,
             layout: self.layout.clone(),
+            path: self.path.clone(),
         }
     }
 

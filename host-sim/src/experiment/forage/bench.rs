@@ -45,6 +45,7 @@ pub fn fresh(
     let other = WorldOptions {
         config,
         layout: world.layout.clone(),
+        path: world.path.clone(),
     };
     let stream = match after_capture {
         AfterCapture::Replaced => 1,

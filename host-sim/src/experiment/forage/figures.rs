@@ -170,6 +170,7 @@ fn approaches(options: &ForageOptions, trials: &[Trial]) -> Result<Picture, Figu
                 ..options.world.config
             },
             layout: None,
+            path: None,
         }
         .words(),
     );

@@ -179,6 +179,7 @@ mod tests {
             world: WorldOptions {
                 config: PioneerConfig::NOISY,
                 layout: None,
+                path: None,
             },
             brain: AgentConfig::FORAGER,
             actions: 3_000,

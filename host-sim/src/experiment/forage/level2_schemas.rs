@@ -225,6 +225,7 @@ mod tests {
             world: WorldOptions {
                 config: PioneerConfig::NOISY,
                 layout: None,
+                path: None,
             },
             brain: AgentConfig::FORAGER,
             actions: 10_000,

@@ -19,10 +19,11 @@ mod tables;
 mod trial;
 
 pub use approach::Approach;
-pub use options::{BOOK_SCHEMAS, BookSchema, ForageOptions, SNAPSHOT};
+pub use options::{BOOK_SCHEMAS, BookSchema, ForageOptions, Lengths, SNAPSHOT};
 pub use trial::{Found, Trial};
 
 use super::plan::Experiment;
+use super::settled::SETTINGS;
 use crate::device::meter::Load;
 use crate::failure::Failure;
 use crate::progress::Ticker;
@@ -74,6 +75,7 @@ impl Experiment for Forage {
                 ("random", "forage.baseline.random"),
             ],
         );
+        results = results.file(SETTINGS, options.file()?);
         for (name, picture) in figures::all(options, trials)? {
             results = results.picture(name, picture);
         }

@@ -1,10 +1,13 @@
 //! What the foraging experiment varies, and the schemas of the book that it looks for.
 
 use cla_core::agent::AgentConfig;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
 
 use crate::experiment::record::in_words;
+use crate::experiment::settled::{file, room};
 use crate::failure::Impossible;
+use crate::settings::tree_of;
 use crate::world::config::{AfterCapture, PioneerConfig};
 use crate::world::setting::{MOST_ACTIONS, WorldOptions};
 
@@ -25,6 +28,24 @@ pub const BOOK_SCHEMAS: [BookSchema; 8] = [
     ("6_11", "+s3/forward/+s2", Some((0.113, 0.020))),
     ("6_12", "+s2/turnl/+s3", Some((0.26, 0.011))),
 ];
+
+/// How long lives are, as settings say it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Lengths {
+    /// Actions of training, a multiple of 1000.
+    pub training: u32,
+    /// Actions of a test.
+    pub test: u32,
+}
+
+impl Lengths {
+    /// Those of the book (6.2.4).
+    pub const BOOK: Self = Self {
+        training: 10_000,
+        test: 3_000,
+    };
+}
 
 /// What is varied.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -89,7 +110,22 @@ impl ForageOptions {
         self.world.config != PioneerConfig::NOISY
             || self.world.layout.is_some()
             || self.brain != AgentConfig::FORAGER
-            || self.actions != 10_000
-            || self.test_actions != 3_000
+            || self.actions != Lengths::BOOK.training
+            || self.test_actions != Lengths::BOOK.test
+    }
+
+    /// All settings as a file, of which the same options come.
+    ///
+    /// # Errors
+    /// [`Impossible`] for a value that TOML cannot say.
+    pub fn file(&self) -> Result<String, Impossible> {
+        file(
+            &self.seeds,
+            json!({
+                "world": room(&self.world)?,
+                "agent": tree_of(&self.brain)?,
+                "protocol": Lengths { training: self.actions, test: self.test_actions },
+            }),
+        )
     }
 }

@@ -158,6 +158,7 @@ pub(super) fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result
             ..options.world.config
         },
         layout: options.world.layout.clone(),
+        path: options.world.path.clone(),
     };
     let forward = options.world.config.forward;
     let all_by_the_book = bench.trained(AgentConfig::BOOK, &options.world)?;
@@ -169,6 +170,7 @@ pub(super) fn run(options: &ForageOptions, seed: u64, ticker: &Ticker) -> Result
             ..options.world.config
         },
         layout: None,
+        path: None,
     };
     let (second_noise_free, _) = second::compare(&bench, &in_the_quiet, &quiet)?;
     let in_the_large = bench.trained(options.brain, &large)?;

@@ -50,6 +50,27 @@ fn points(course: &Course) -> Vec<(f64, f64)> {
         .collect()
 }
 
+/// What each life obtained in each thousand actions, as a table: those before the damage stand at
+/// negative places.
+pub(super) fn windows(options: &LiveOptions, trials: &[Trial]) -> String {
+    let mut text = "seed,learner,damage,from,obtained\n".to_owned();
+    for (seed, trial) in options.seeds.iter().zip(trials) {
+        for lives in &trial.0 {
+            let twin = core::iter::once(("none".to_owned(), &lives.twin));
+            let names = options.damages.iter().map(Damage::to_string);
+            for (damage, course) in twin.chain(names.zip(&lives.damaged)) {
+                for (middle, obtained) in points(course) {
+                    let from = middle - 0.5 * f64::from(POINT);
+                    let who = &lives.who;
+                    // A damage may have a comma in it, and nothing has a quote.
+                    text.push_str(&format!("{seed},{who},\"{damage}\",{from},{obtained}\n"));
+                }
+            }
+        }
+    }
+    text
+}
+
 fn chart(
     options: &LiveOptions,
     trials: &[Trial],

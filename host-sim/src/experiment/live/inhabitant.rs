@@ -286,18 +286,22 @@ fn settings_of(name: &str, place: &Place) -> Result<(Value, Value), Impossible> 
     }
 }
 
-fn book(config: &AgentConfig, adaptation: Adaptation) -> Result<(Value, Value), Impossible> {
-    let full = AgentConfig {
-        training: TrainingConfig {
-            recruitment: TrainingConfig::FORAGER.recruitment,
-            ..config.training
-        },
+/// The book's agent with all parts that may be missing.
+///
+/// # Errors
+/// [`Impossible`] for what has no form in JSON.
+pub fn full_agent() -> Result<Value, Impossible> {
+    tree_of(&AgentConfig {
+        training: TrainingConfig::FORAGER,
         escape: AgentConfig::FORAGER.escape,
         ..AgentConfig::RESILIENT_LEVEL2
-    };
+    })
+}
+
+fn book(config: &AgentConfig, adaptation: Adaptation) -> Result<(Value, Value), Impossible> {
     let mut base = tree_of(config)?;
     base["adaptation"] = tree_of(&adaptation)?;
-    Ok((base, tree_of(&full)?))
+    Ok((base, full_agent()?))
 }
 
 /// The rivals as they did best where a life is lived; the Pioneer's are those of `recover`, and where

@@ -98,6 +98,16 @@ fn the_pioneers_rival_lives_the_life_that_it_lives_in_recover() {
     let (ours, theirs) = (&live[0].0[0].damaged[0], recover[0].course(0, who).unwrap());
     assert_eq!(ours.obtained[0], theirs.before);
     assert_eq!(ours.obtained[1], theirs.after);
+    // The thousand actions after the damage, and of the life without one, stand in the table, too.
+    let table = super::figures::windows(&options, &live);
+    let damaged: u32 = ours.obtained[1].iter().sum();
+    let twin = live[0].0[0].twin.all();
+    let rows = [
+        "seed,learner,damage,from,obtained".to_owned(),
+        format!("5,sarsa-history,\"none\",0,{twin}"),
+        format!("5,sarsa-history,\"camera:+12\",0,{damaged}"),
+    ];
+    assert_eq!(table.lines().collect::<Vec<_>>(), rows);
     // Another seed is another life.
     options.seeds = vec![6];
     let other = plan::trials::<Live>(&options, &Progress::hidden()).unwrap();

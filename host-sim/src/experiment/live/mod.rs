@@ -11,24 +11,23 @@ mod options;
 mod place;
 mod trial;
 
-pub use inhabitant::{Inhabitant, LEARNERS};
+pub use inhabitant::{Inhabitant, LEARNERS, full_agent};
 pub use options::LiveOptions;
 pub use place::{Place, WORLDS};
 pub use trial::{Course, Lives, Trial};
 
 use super::plan::Experiment;
+use super::settled::SETTINGS;
 use crate::failure::Failure;
 use crate::progress::Ticker;
 use crate::report::Results;
 
+/// The file with what every life obtained in each thousand actions.
+const WINDOWS: &str = "windows.csv";
+
 /// The experiment.
 #[derive(Clone, Copy, Debug)]
 pub struct Live;
-
-impl Live {
-    /// The file with all settings, those that were not given among them.
-    pub const SETTINGS: &'static str = "settings.toml";
-}
 
 impl Experiment for Live {
     type Options = LiveOptions;
@@ -68,7 +67,8 @@ impl Experiment for Live {
         let named: Vec<(&str, &str)> = named.iter().map(|(who, id)| (*who, id.as_str())).collect();
         let what = format!("obtained undamaged in {} actions", options.protocol.after);
         let results = results.headline(&what, &named);
-        let mut results = results.file(Self::SETTINGS, options.file()?);
+        let results = results.file(WINDOWS, figures::windows(options, trials));
+        let mut results = results.file(SETTINGS, options.file()?);
         for (name, picture) in figures::all(options, trials)? {
             results = results.picture(&name, picture);
         }

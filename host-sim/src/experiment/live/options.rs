@@ -6,10 +6,10 @@ use serde_json::{Value, json};
 use super::inhabitant::Inhabitant;
 use super::place::Place;
 use crate::experiment::recover::life::Protocol;
+use crate::experiment::settled::file;
 use crate::failure::Impossible;
-use crate::settings::{no_setting, of_tree, overlay, take, text, tree_of};
+use crate::settings::{no_setting, of_tree, overlay, take, tree_of};
 use crate::world::damage::{Damage, Damaged};
-use crate::world::setting::MOST_ACTIONS;
 
 /// Most damages, and most rivals, of one run.
 const MOST: usize = 100;
@@ -109,11 +109,7 @@ impl LiveOptions {
     /// # Errors
     /// [`Impossible`] for a value that TOML cannot say.
     pub fn file(&self) -> Result<String, Impossible> {
-        let mut all = self.settings();
-        if let (Some(first), Some(last)) = (self.seeds.first(), self.seeds.last()) {
-            all["seeds"] = format!("{first}..{}", last + 1).into();
-        }
-        text(&all)
+        file(&self.seeds, self.settings())
     }
 
     /// Everybody who lives, the agent first.
@@ -137,20 +133,7 @@ fn protocol(given: &Value) -> Result<Protocol, Impossible> {
     let mut all = tree_of(&Protocol::STANDARD)?;
     overlay(&mut all, &json!({}), given, "protocol")?;
     let protocol: Protocol = of_tree(all, "protocol")?;
-    let Protocol {
-        training,
-        before,
-        after,
-    } = protocol;
-    for (name, actions) in [("training", training), ("before", before), ("after", after)] {
-        if actions > MOST_ACTIONS {
-            let sentence = format!("protocol.{name} is at most {MOST_ACTIONS}, not {actions}");
-            return Err(Impossible::new(sentence));
-        }
-    }
-    if after == 0 {
-        return Err(Impossible::new("protocol.after is at least 1"));
-    }
+    protocol.check()?;
     Ok(protocol)
 }
 

@@ -1,7 +1,7 @@
 //! Where a life is lived: every world of the project by its name, and any `.POMDP` file, each with its
 //! settings.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -211,6 +211,17 @@ impl Place {
         self.actions
     }
 
+    /// The Pioneer's room with nothing put around it.
+    #[must_use]
+    pub fn bare_pioneer(&self) -> Option<&WorldOptions> {
+        let bare =
+            self.around.valued.is_none() && self.around.distractors == 0 && self.around.lost == 0.0;
+        match &self.kind {
+            Kind::Pioneer(options) if bare => Some(options),
+            _ => None,
+        }
+    }
+
     /// Whether whoever lives here hears rewards as numbers, and not by valued items alone.
     #[must_use]
     pub const fn gives_numbers(&self) -> bool {
@@ -291,10 +302,13 @@ impl Kind {
                 let config: PioneerConfig = of_tree(config, "world")?;
                 config.validate().map_err(Impossible::new)?;
                 let layout = of_tree::<Layouts>(layout, "world")?.layout;
-                let layout = layout
-                    .map(|path| read_layout(Path::new(&path), config.radius))
+                let path = layout.map(PathBuf::from);
+                let layout = path
+                    .as_deref()
+                    .map(|path| read_layout(path, config.radius))
                     .transpose()?;
-                Self::Pioneer(Box::new(WorldOptions::new(config, layout)?))
+                let world = WorldOptions::new(config, layout)?;
+                Self::Pioneer(Box::new(WorldOptions { path, ..world }))
             }
             "microworld" => {
                 let it: Microworldly = of_tree(own, "world")?;

@@ -3,8 +3,6 @@
 //! Of a ratio the estimate is asked for and an interval whose lower end is no more than .07 below; of
 //! captures the same share of what is asked.
 
-use cla_core::forest::MindConfig;
-
 use super::damages::{FIRST, ids, name};
 use super::family::Damages;
 use super::measured::{Trial, of, sums};
@@ -24,7 +22,7 @@ pub(super) fn summary(options: &OneOptions, trials: &[Trial]) -> Summary {
     let mut summary = Summary::new("one", &options.seeds);
     let parts = options.parts.iter().map(|part| part.name());
     summary.parameter("parts", parts.collect::<Vec<_>>().join(" "));
-    summary.parameter("configuration", format!("{:?}", MindConfig::DEFAULT));
+    summary.parameter("configuration", format!("{:?}", options.config));
     summary.parameter("lives shorter by", options.shorter);
     for part in &options.parts {
         summary.claims.extend(match part {
@@ -62,7 +60,7 @@ pub(super) fn summary(options: &OneOptions, trials: &[Trial]) -> Summary {
     for (name, table) in tables::all(options, trials) {
         summary.table(name, table);
     }
-    if options.shorter != 1 {
+    if options.is_varied() {
         summary.vary();
     }
     summary

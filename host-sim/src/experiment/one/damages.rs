@@ -89,13 +89,14 @@ pub(super) fn lives(
     }
     for (id, damage) in all()? {
         // What a robot would do that is born again as the damage comes.
-        let mut learner = newborn(0.0, seed)?;
+        let mut learner = newborn(options, 0.0, seed)?;
         let captures = course(&mut learner, 0, damage, COURSE, options, seed)?;
         trial.note_all(name(&id, "newborn"), captures);
     }
     let noisy = WorldOptions {
         config: PioneerConfig::NOISY,
         layout: None,
+        path: None,
     };
     for (who, config) in [("sarsa", Rival::Sarsa), ("history", Rival::SarsaHistory)] {
         let tuned = config.tuned();

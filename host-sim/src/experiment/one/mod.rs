@@ -20,6 +20,7 @@ pub use options::{OneOptions, Part};
 
 use super::measured;
 use super::plan::Experiment;
+use super::settled::SETTINGS;
 use crate::failure::Failure;
 use crate::progress::Ticker;
 use crate::report::{Claim, Results};
@@ -67,6 +68,7 @@ impl Experiment for One {
                 ("lake, episodes", "one.lake"),
             ],
         );
+        results = results.file(SETTINGS, options.file()?);
         for (name, picture) in figures::all(options, trials, &results.summary.claims)? {
             results = results.picture(name, picture);
         }

@@ -1,8 +1,12 @@
 //! What the experiment with one learner varies.
 
+use cla_core::forest::MindConfig;
 use serde::Serialize;
+use serde_json::json;
 
+use crate::experiment::settled::file;
 use crate::failure::Impossible;
+use crate::settings::tree_of;
 
 /// A part of the experiment, which can be run without the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -85,6 +89,13 @@ pub struct OneOptions {
     pub long: bool,
     /// By what all lives are shorter than the claims ask; at least 1.
     pub shorter: u32,
+    /// The learner's configuration, one in every world.
+    #[serde(skip_serializing_if = "is_standard")]
+    pub config: MindConfig,
+}
+
+fn is_standard(config: &MindConfig) -> bool {
+    *config == MindConfig::DEFAULT
 }
 
 impl OneOptions {
@@ -96,6 +107,7 @@ impl OneOptions {
             parts: Part::ALL.to_vec(),
             long: false,
             shorter: 1,
+            config: MindConfig::DEFAULT,
         }
     }
 
@@ -129,6 +141,29 @@ impl OneOptions {
             long,
             ..Self::standard(seeds)
         })
+    }
+
+    /// Whether these are other lives than those that the claims are about.
+    #[must_use]
+    pub fn is_varied(&self) -> bool {
+        self.shorter > 1 || !is_standard(&self.config)
+    }
+
+    /// All settings as a file, of which the same options come.
+    ///
+    /// # Errors
+    /// [`Impossible`] for a value that TOML cannot say.
+    pub fn file(&self) -> Result<String, Impossible> {
+        let parts: Vec<&str> = self.parts.iter().map(|it| it.name()).collect();
+        file(
+            &self.seeds,
+            json!({
+                "parts": parts,
+                "long": self.long,
+                "shorter": self.shorter,
+                "agent": tree_of(&self.config)?,
+            }),
+        )
     }
 
     /// A length of the claims, as it is lived here.

@@ -4,7 +4,6 @@
 //! Half of a training is lived in the seed's own room, half in another; the test is in a third.
 
 use cla_core::agent::{Adaptation, AgentConfig};
-use cla_core::forest::MindConfig;
 use cla_core::num::Rng;
 
 use super::measured::Trial;
@@ -68,8 +67,8 @@ fn values<const ALL: usize>(bump: f32) -> [f32; ALL] {
 ///
 /// # Errors
 /// [`Failure`] when it cannot be born.
-pub(super) fn newborn(bump: f32, seed: u64) -> Result<ForagerMind, Failure> {
-    Minded::born(MindConfig::DEFAULT, values(bump), seed)
+pub(super) fn newborn(options: &OneOptions, bump: f32, seed: u64) -> Result<ForagerMind, Failure> {
+    Minded::born(options.config, values(bump), seed)
 }
 
 /// Trains in two rooms, half of the actions in each, and makes the learner act.
@@ -111,7 +110,7 @@ impl Raised {
     /// # Errors
     /// [`Failure`] when it cannot live.
     pub(super) fn new(options: &OneOptions, bump: f32, seed: u64) -> Result<Self, Failure> {
-        let mut trained = newborn(bump, seed)?;
+        let mut trained = newborn(options, bump, seed)?;
         raise(&mut trained, options.length(TRAINING), seed)?;
         let (captures, world) = tested(&mut trained.clone(), options, seed)?;
         Ok(Self {
@@ -125,7 +124,7 @@ impl Raised {
 /// Trainings of other lengths, and the agent with both levels beside the usual one.
 pub(super) fn lengths(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
     for actions in LENGTHS {
-        let mut mind = newborn(0.0, seed)?;
+        let mut mind = newborn(options, 0.0, seed)?;
         raise(&mut mind, options.length(actions), seed)?;
         let (captures, _) = tested(&mut mind, options, seed)?;
         trial.note(format!("forager.{actions}"), captures);
@@ -136,7 +135,7 @@ pub(super) fn lengths(options: &OneOptions, seed: u64, trial: &mut Trial) -> Res
     let (captures, _) = tested(&mut both, options, seed)?;
     trial.note("forager.both_levels", captures);
     if options.long {
-        let mut mind = newborn(0.0, seed)?;
+        let mut mind = newborn(options, 0.0, seed)?;
         raise(&mut mind, options.length(LONG), seed)?;
         let (captures, mut world) = tested(&mut mind, options, seed)?;
         trial.note(format!("forager.{LONG}"), captures);
@@ -184,7 +183,7 @@ pub(super) fn distractors(
 }
 
 fn among<const ALL: usize>(options: &OneOptions, more: usize, seed: u64) -> Result<f64, Failure> {
-    let mut mind = Minded::<1, ALL, 6>::born(MindConfig::DEFAULT, values(0.0), seed)?;
+    let mut mind = Minded::<1, ALL, 6>::born(options.config, values(0.0), seed)?;
     let around = |seed| -> Result<_, Failure> { Ok(Distracted::new(room(seed)?, more, seed)) };
     let half = options.length(TRAINING) / 2;
     live(&mut mind, &mut around(seed)?, half)?;
@@ -204,11 +203,11 @@ pub(super) fn harm(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result
 
 /// A mind that has watched a servo, and one that has lived as long itself.
 pub(super) fn teach(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
-    let mut own = newborn(0.0, seed)?;
+    let mut own = newborn(options, 0.0, seed)?;
     live(&mut own, &mut room(seed)?, options.length(LESSON))?;
     own.act()?;
     trial.note("teach.own", tested(&mut own, options, seed)?.0);
-    let mut pupil = newborn(0.0, seed)?;
+    let mut pupil = newborn(options, 0.0, seed)?;
     watch(&mut pupil, &mut room(seed)?, options.length(LESSON), seed)?;
     pupil.act()?;
     trial.note("teach.watched", tested(&mut pupil, options, seed)?.0);

@@ -4,7 +4,6 @@
 
 use std::sync::Arc;
 
-use cla_core::forest::MindConfig;
 use cla_core::snapshot::Names;
 
 use super::measured::Trial;
@@ -61,7 +60,7 @@ impl<W: World + Clone> Place<W> {
         trial: &mut Trial,
     ) -> Result<(), Failure> {
         for &train in self.train {
-            let mut mind = Minded::<WORDS, ALL, N>::born(MindConfig::DEFAULT, [0.0; ALL], seed)?;
+            let mut mind = Minded::<WORDS, ALL, N>::born(options.config, [0.0; ALL], seed)?;
             let name = format!("{}.{train}", self.name);
             trial.note(name.clone(), self.life(options, train, &mut mind)?);
             let names = Names::of(self.world.items(), self.world.actions());
@@ -218,6 +217,6 @@ fn chance<const N: usize>(
     train: u32,
     seed: u64,
 ) -> Result<f64, Failure> {
-    let mut mind = Minded::<2, 64, N>::born(MindConfig::DEFAULT, [0.0; 64], seed)?;
+    let mut mind = Minded::<2, 64, N>::born(options.config, [0.0; 64], seed)?;
     place.life(options, train, &mut mind)
 }

@@ -9,12 +9,12 @@ use serde::{Deserialize, Serialize};
 use super::recovery::recovered_at;
 use crate::device::meter::Load;
 use crate::experiment::record::floats;
-use crate::failure::Failure;
+use crate::failure::{Failure, Impossible};
 use crate::learner::forager::Forager;
 use crate::learner::{Learner, STRIDE, Watch, live, watched};
 use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::Pioneer;
-use crate::world::setting::WorldOptions;
+use crate::world::setting::{MOST_ACTIONS, WorldOptions};
 
 /// How long each part of a life is, in actions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -35,6 +35,27 @@ impl Protocol {
         before: 3_000,
         after: 13_000,
     };
+
+    /// Whether lives can be so long.
+    ///
+    /// # Errors
+    /// [`Impossible`] for a part that is too long, and for a damaged life without an action.
+    pub fn check(&self) -> Result<(), Impossible> {
+        for (name, actions) in [
+            ("training", self.training),
+            ("before", self.before),
+            ("after", self.after),
+        ] {
+            if actions > MOST_ACTIONS {
+                let sentence = format!("protocol.{name} is at most {MOST_ACTIONS}, not {actions}");
+                return Err(Impossible::new(sentence));
+            }
+        }
+        if self.after == 0 {
+            return Err(Impossible::new("protocol.after is at least 1"));
+        }
+        Ok(())
+    }
 }
 
 /// The captures of each [`STRIDE`] of a life's later parts.

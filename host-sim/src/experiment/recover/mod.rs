@@ -21,6 +21,7 @@ pub use trial::{Entrant, Trial};
 
 use self::replay::Scene;
 use super::plan::Experiment;
+use super::settled::SETTINGS;
 use crate::device::meter::Load;
 use crate::failure::Failure;
 use crate::progress::Ticker;
@@ -78,6 +79,7 @@ impl Experiment for Recover {
             ],
         );
         results.worst_ticks = Load::of(trials.iter().map(|trial| &trial.load)).by_processor();
+        results = results.file(SETTINGS, options.file()?);
         let drawn = forest::all(options, trials)?.into_iter();
         for (name, picture) in drawn.chain(figures::all(options, trials)?) {
             results = results.picture(&name, picture);
@@ -117,6 +119,7 @@ pub(super) fn declared() -> Vec<Claim> {
         world: WorldOptions {
             config: PioneerConfig::NOISY,
             layout: None,
+            path: None,
         },
         damages: reported.chain([Damage::None]).collect(),
         protocol: life::Protocol::STANDARD,

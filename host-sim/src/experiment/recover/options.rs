@@ -1,9 +1,12 @@
 //! What the recovery experiment varies.
 
 use serde::Serialize;
+use serde_json::json;
 
 use super::life::Protocol;
+use crate::experiment::settled::{file, room};
 use crate::failure::Impossible;
+use crate::settings::tree_of;
 use crate::world::config::{AfterCapture, PioneerConfig};
 use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::{ACTIONS, ITEMS};
@@ -68,6 +71,31 @@ impl RecoverOptions {
             damages: read,
             protocol: Protocol::STANDARD,
         })
+    }
+
+    /// The same lives, longer or shorter.
+    ///
+    /// # Errors
+    /// [`Impossible`] for parts that are too long, and for a damaged life without an action.
+    pub fn with_protocol(self, protocol: Protocol) -> Result<Self, Impossible> {
+        protocol.check()?;
+        Ok(Self { protocol, ..self })
+    }
+
+    /// All settings as a file, of which the same options come.
+    ///
+    /// # Errors
+    /// [`Impossible`] for a value that TOML cannot say.
+    pub fn file(&self) -> Result<String, Impossible> {
+        let damages: Vec<String> = self.damages.iter().map(Damage::to_string).collect();
+        file(
+            &self.seeds,
+            json!({
+                "world": room(&self.world)?,
+                "damages": damages,
+                "protocol": tree_of(&self.protocol)?,
+            }),
+        )
     }
 
     /// Whether this is another world or length than the one that the claims are about.

@@ -208,6 +208,7 @@ mod tests {
             world: WorldOptions {
                 config: PioneerConfig::NOISY,
                 layout: None,
+                path: None,
             },
             damages: vec![Damage::Camera(12.0)],
             protocol: Protocol {

@@ -14,6 +14,7 @@ pub use options::{Axis, Case, Point, Shard, SweepOptions};
 
 use super::live::{Live, Trial};
 use super::plan::Experiment;
+use super::settled::SETTINGS;
 use crate::failure::Failure;
 use crate::progress::Ticker;
 use crate::report::Results;
@@ -53,7 +54,7 @@ impl Experiment for Sweep {
     fn judge(options: &SweepOptions, trials: &[Trial]) -> Result<Results, Failure> {
         let cases = options.cases();
         let results = Results::new(judged::summary(options, &cases, trials));
-        let results = results.file(Live::SETTINGS, options.file()?);
+        let results = results.file(SETTINGS, options.file()?);
         if let Some(shard) = options.shard {
             let mut results = results;
             let directory = shard.directory();

@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use crate::experiment::live::LiveOptions;
+use crate::experiment::settled::file;
 use crate::failure::Impossible;
-use crate::settings::{empty, put, text, tree_of, value_of};
+use crate::settings::{empty, put, tree_of, value_of};
 
 /// Most trials of a sweep.
 const MOST: usize = 1_000_000;
@@ -297,13 +298,10 @@ impl SweepOptions {
         for axis in &self.grid {
             remove(&mut all, &axis.key);
         }
-        if let (Some(first), Some(last)) = (self.seeds.first(), self.seeds.last()) {
-            all["seeds"] = format!("{first}..{}", last + 1).into();
-        }
         if !self.grid.is_empty() {
             all["grid"] = tree_of(&self.grid)?;
         }
-        text(&all)
+        file(&self.seeds, all)
     }
 
     /// The same sweep, all of it.

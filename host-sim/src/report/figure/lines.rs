@@ -86,7 +86,8 @@ pub struct Span {
 pub fn line_chart(axes: &Axes, lines: &[Line]) -> Result<Picture, FigureError> {
     let lines: Vec<Line> = lines.iter().map(Line::finite).collect();
     let scales = Scales::of(axes, lines.iter().flat_map(|line| &line.points))?;
-    picture(axes, |page, area| chart(page, area, axes, scales, &lines))
+    let drawn = picture(axes, |page, area| chart(page, area, axes, scales, &lines))?;
+    drawn.with_points(axes, lines.iter())
 }
 
 /// Widest name at the end of a line.

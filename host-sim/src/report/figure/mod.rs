@@ -20,6 +20,7 @@ mod panels;
 mod plot;
 mod png;
 mod point;
+mod points;
 mod raster;
 mod rows;
 mod scale;
@@ -63,6 +64,8 @@ pub struct Picture {
     pub svg: String,
     /// The bytes of a PNG file, two pixels to one unit of the SVG.
     pub png: Vec<u8>,
+    /// What its lines show, as a table of text; nothing of figures without lines.
+    pub csv: Option<String>,
 }
 
 /// A figure that could not be drawn, such as one without a finite number in it.
@@ -224,6 +227,7 @@ fn picture(
         caption: axes.caption.clone(),
         svg,
         png: png::encode(&pixels),
+        csv: None,
     })
 }
 
@@ -271,6 +275,24 @@ mod tests {
         let pixels = bytes.as_chunks().0.to_vec();
         assert_eq!(pixels.len(), (frame.width * frame.height) as usize);
         (frame.width as usize, pixels)
+    }
+
+    #[test]
+    fn a_picture_of_lines_has_their_points_beside_it() {
+        let band = Point::mean_of(1.0, &[1.0, 2.0, 3.0]);
+        let lines = [
+            Line::new("a, b", vec![Point::at(0.0, 0.5), band]),
+            Line::new("c", vec![Point::at(f64::NAN, 1.0), Point::at(2.0, 1.0)]),
+        ];
+        let axes = Axes::new("t", "actions", "captures").sized(400, 300);
+        let table = line_chart(&axes, &lines).unwrap().csv.unwrap();
+        let rows: Vec<&str> = table.lines().collect();
+        assert_eq!(rows[0], "line,actions,captures,low,high");
+        assert_eq!(rows[1], "\"a, b\",0,0.5,,");
+        let (low, high) = band.band.unwrap();
+        assert_eq!(rows[2], format!("\"a, b\",1,2,{low},{high}"));
+        // What is no number is not drawn.
+        assert_eq!(rows[3..], ["c,2,1,,"]);
     }
 
     #[test]

@@ -58,7 +58,7 @@ pub fn panels(
         return Err(FigureError("no panels".to_owned()));
     }
     let rows = panels.len().div_ceil(columns) as i32;
-    picture(axes, |page, area| {
+    let drawn = picture(axes, |page, area| {
         Pen::new(SMALL).write(page, &axes.y_label, (area.left, area.top))?;
         let named = panels.iter().find_map(|it| it.context.as_ref());
         if let Some(line) = named {
@@ -113,5 +113,6 @@ pub fn panels(
         Pen::new(SMALL)
             .across(HPos::Center)
             .write(page, &axes.x_label, (middle, bottom))
-    })
+    })?;
+    drawn.with_points(axes, lines().flatten())
 }
