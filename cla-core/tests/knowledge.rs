@@ -253,6 +253,18 @@ fn what_does_not_fit_is_named_and_the_brain_is_as_it_was() {
     assert_eq!(refused, Err(LoadError::Kind));
 }
 
+/// Written when version 1 was new, after 1500 actions; it is never written again.
+#[test]
+fn knowledge_of_version_1_is_read_for_ever() {
+    let golden = include_bytes!("fixtures/lamp-v1.knowledge");
+    let mut brain = born!(little, 2);
+    let taken = take(&mut *brain, little::VOCABULARY, golden);
+    assert_eq!(taken, Ok(golden.len() as u32));
+    assert!(knowledge(&*brain, little::VOCABULARY.names()) == golden);
+    assert_eq!(brain.knowledge().schemas().len(), 28);
+    assert!(live!(brain, Lamp::new(4), 4, 300) > 60);
+}
+
 #[test]
 fn damaged_knowledge_is_refused() {
     let (_, image) = learned();

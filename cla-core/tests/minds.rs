@@ -192,3 +192,15 @@ fn a_mind_that_reasons_goes_on_to_the_bit_also_with_a_goal_before_it() {
         "the image is of a brain with 16 remembered samples of an action, and this one has 0";
     assert_eq!(refused, sentence);
 }
+
+/// Written when version 1 was new, after 700 actions with a goal before it; it is never written again.
+#[test]
+fn the_image_of_a_reasoning_mind_of_version_1_is_read_for_ever() {
+    let golden = include_bytes!("fixtures/corridor-v1.image");
+    let (mut mind, mut world) = thinking(77);
+    assert_eq!(load(&mut *mind, golden), Ok(golden.len() as u32));
+    assert!(image(&*mind) == golden);
+    assert_eq!(mind.pursuit(), Pursuit::Underway { left: 200 });
+    assert_eq!((mind.size().0, mind.reason().schemas().len()), (256, 31));
+    world.live(&mut mind, 500);
+}
