@@ -95,8 +95,8 @@ pub fn length<B: Snapshot>(brain: &B) -> Result<u32, SaveError<Infallible>> {
 /// A brain whose memory may have lost a bit is looked through first (`audit`): what is damaged is
 /// refused here, and what is sound is saved.
 ///
-/// A brain that is too large for the stack is copied in this way, too: saved, and loaded into another
-/// that was born in its place; `clone` goes over the stack.
+/// A brain that is too large for the stack is copied in this way, too: saved, and loaded into another,
+/// which `Box::new(const { robot::brain() })` makes on a heap in place; `clone` goes over the stack.
 ///
 /// ```
 /// use cla_core::forager::small;
