@@ -66,6 +66,14 @@ fn do_errand(errand: &Errand) -> ExitCode {
             Ok(None) => Ok(String::new()),
             Err(impossible) => return refuse(&impossible.to_string()),
         },
+        Errand::Size { .. } => match options::sizing(errand) {
+            Ok(Some(wanted)) => match keeping::size(&wanted) {
+                Err(failure) if failure.is::<Impossible>() => return refuse(&failure.to_string()),
+                done => done,
+            },
+            Ok(None) => Ok(String::new()),
+            Err(impossible) => return refuse(&impossible.to_string()),
+        },
         Errand::Train { .. } => match options::training(errand) {
             Ok(Some(training)) => keeping::train(&training),
             Ok(None) => Ok(String::new()),

@@ -2,5 +2,6 @@
 
 #![doc = include_str!("../../docs/guide/src/hello.md")]
 #![doc = include_str!("../../docs/guide/src/robot.md")]
+#![doc = include_str!("../../docs/guide/src/sizing.md")]
 #![doc = include_str!("../../docs/guide/src/cortex-m.md")]
 #![doc = include_str!("../../docs/guide/src/reading.md")]

@@ -116,4 +116,26 @@ pub enum Errand {
         #[arg(long, value_name = "FILE")]
         out: Option<PathBuf>,
     },
+    /// Say how many bytes a brain takes that remembers so much, before there is one.
+    Size {
+        /// Items of the robot.
+        #[arg(long, value_name = "N")]
+        items: Option<usize>,
+        /// Its actions.
+        #[arg(long, value_name = "N")]
+        actions: Option<usize>,
+        /// So many samples alone.
+        #[arg(long, value_name = "N")]
+        samples: Option<usize>,
+        /// So many states [default: a fourteenth of the samples, or what the log asks for].
+        #[arg(long, value_name = "N")]
+        states: Option<usize>,
+        /// The memory that there is, such as 100000, 100k or 128KiB: what fits is marked.
+        #[arg(long, value_name = "BYTES")]
+        ram: Option<String>,
+        /// A log of its life, or of one like it, .mcap or .jsonl: its items, its actions, and how many
+        /// situations there are.
+        #[arg(long, value_name = "FILE")]
+        log: Option<PathBuf>,
+    },
 }

@@ -6,6 +6,7 @@
 use super::target::Target;
 use crate::failure::Impossible;
 use crate::report::Results;
+use crate::report::grouped;
 
 /// The limits of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,26 +98,14 @@ impl Budget {
     }
 }
 
-/// A whole number, perhaps in thousands or units of 1024.
-fn number(text: &str) -> Option<u64> {
+/// A whole number, perhaps in thousands (`60k`) or units of 1024 (`256KiB`).
+pub(crate) fn number(text: &str) -> Option<u64> {
     let (digits, unit) = match text {
         _ if text.ends_with("KiB") => (text.trim_end_matches("KiB"), 1024),
         _ if text.ends_with('k') => (text.trim_end_matches('k'), 1000),
         _ => (text, 1),
     };
     digits.parse::<u64>().ok()?.checked_mul(unit)
-}
-
-fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 /// To one digit, rounded up.

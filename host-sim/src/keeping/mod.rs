@@ -12,6 +12,7 @@ mod of_agent;
 mod of_mind;
 mod page;
 mod portrait;
+mod sizing;
 mod told;
 mod train;
 
@@ -20,6 +21,7 @@ use std::path::Path;
 pub use file::{keep, recall};
 pub use known::look;
 pub use portrait::{Belief, Count, Filling, Item, Portrait, Schema, Sign, Voice};
+pub use sizing::{Wanted, size};
 pub use train::{Raised, Training, train};
 
 use crate::failure::Failure;

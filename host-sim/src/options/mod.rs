@@ -34,7 +34,7 @@ use crate::progress::Progress;
 use crate::report::{Begin, Journal, Place, Results};
 
 pub use shared::{seeds, world};
-pub use training::{teaching, training};
+pub use training::{sizing, teaching, training};
 
 /// The experiments whose trained brains can be kept.
 const BRAINS: [&str; 3] = ["forage", "recover", "one"];

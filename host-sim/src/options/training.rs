@@ -1,14 +1,46 @@
-//! The training of one brain, in a world or by a log.
+//! The training of one brain, in a world or by a log, and the size of one that there is not yet.
 
 use cla_core::agent::{Adaptation, AgentConfig};
 
 use super::shared::world;
 use crate::cli::Errand;
+use crate::device::budget::number;
 use crate::failure::Impossible;
-use crate::keeping::{Raised, Training};
+use crate::keeping::{Raised, Training, Wanted};
 use crate::logs::check_name;
 use crate::teaching::Teaching;
 use crate::world::setting::MOST_ACTIONS;
+
+/// The size that the arguments ask for.
+///
+/// # Errors
+/// [`Impossible`] for a memory that is no number of bytes.
+pub fn sizing(errand: &Errand) -> Result<Option<Wanted>, Impossible> {
+    let Errand::Size {
+        items,
+        actions,
+        samples,
+        states,
+        ram,
+        log,
+    } = errand
+    else {
+        return Ok(None);
+    };
+    let bytes = |text: &String| {
+        let sentence =
+            format!("--ram is a number of bytes such as 100000, 100k or 128KiB, not {text:?}");
+        number(text).ok_or_else(|| Impossible::new(sentence))
+    };
+    Ok(Some(Wanted {
+        items: *items,
+        actions: *actions,
+        samples: *samples,
+        states: *states,
+        ram: ram.as_ref().map(bytes).transpose()?,
+        log: log.clone(),
+    }))
+}
 
 /// The training of one brain that the arguments ask for.
 ///

@@ -43,4 +43,5 @@ pub use statistics::{
     Interval, Welch, cohens_d, confidence_interval, mean, median, quantile, sample_sd, welch_t,
 };
 pub use summary::{FORMAT, Summary, Table};
+pub(crate) use table::grouped;
 pub use table::{claims_text, ours_text, table_text};

@@ -1,0 +1,218 @@
+//! How large a brain should be, before there is one.
+//!
+//! Bytes are those of `Capacities::bytes`, which a test of the core holds; how many situations there are
+//! is counted in a log.
+
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+
+use cla_core::forest::Capacities;
+
+use crate::failure::{Failure, Impossible};
+use crate::logs::read_log;
+use crate::report::{Table, grouped, table_text};
+
+/// The samples that are proposed, smallest first.
+const SAMPLES: [usize; 5] = [512, 1024, 2048, 4096, 7168];
+/// The most items and actions of a learner, `2 * items + actions` being below this.
+const FEATURES: usize = 255;
+const ACTIONS: usize = 32;
+/// Situations that have come no more often are not counted.
+const RARE: u32 = 1;
+
+/// What is asked of a brain.
+#[derive(Clone, Debug, Default)]
+pub struct Wanted {
+    /// Items; with a log, those of the log.
+    pub items: Option<usize>,
+    /// Actions, likewise.
+    pub actions: Option<usize>,
+    /// So many samples alone.
+    pub samples: Option<usize>,
+    /// So many states, in place of a fourteenth of the samples.
+    pub states: Option<usize>,
+    /// The bytes that there are.
+    pub ram: Option<u64>,
+    /// A log of its life, or of one like it.
+    pub log: Option<PathBuf>,
+}
+
+/// What a log says of a world.
+struct World {
+    items: usize,
+    actions: usize,
+    steps: usize,
+    percepts: usize,
+    /// Steps of a percept, an action and the percept after it that came more than once.
+    situations: usize,
+}
+
+/// Sizes for a robot, each with its bytes.
+///
+/// # Errors
+/// [`Impossible`] when items or actions are missing or more than there can be; those of the log.
+///
+/// ```
+/// use host_sim::keeping::{Wanted, size};
+/// let text = size(&Wanted { items: Some(7), actions: Some(6), ..Wanted::default() })?;
+/// assert!(text.contains("250,688"), "{text}");
+/// # Ok::<(), host_sim::failure::Failure>(())
+/// ```
+pub fn size(wanted: &Wanted) -> Result<String, Failure> {
+    let world = wanted.log.as_deref().map(seen).transpose()?;
+    let of_log = |it: fn(&World) -> usize| world.as_ref().map(it);
+    let items = wanted.items.or_else(|| of_log(|it| it.items));
+    let actions = wanted.actions.or_else(|| of_log(|it| it.actions));
+    let (Some(items), Some(actions)) = (items, actions) else {
+        let sentence = "size needs --items N and --actions N, or --log FILE of a life";
+        return Err(Impossible::new(sentence).into());
+    };
+    if items == 0 || actions == 0 || actions > ACTIONS || 2 * items + actions >= FEATURES {
+        let sentence = format!(
+            "--items {items} --actions {actions}: a brain has 1 to {ACTIONS} actions, and twice its items \
+             and its actions together are less than {FEATURES}"
+        );
+        return Err(Impossible::new(sentence).into());
+    }
+    let states = wanted.states.or_else(|| of_log(proposed));
+    let mut text = format!("a brain for {items} items and {actions} actions");
+    if let Some(world) = &world {
+        text.push_str(&format!(
+            "\nthe log has {} actions, {} percepts, and {} steps of percept, action and percept that came more \
+             than once: that is how many states it asks for; proposed are {}",
+            world.steps,
+            world.percepts,
+            world.situations,
+            proposed(world)
+        ));
+    }
+    let mut head = vec![
+        "samples",
+        "states",
+        "bytes",
+        "of samples",
+        "trees",
+        "habits",
+        "model",
+    ];
+    if wanted.ram.is_some() {
+        head.push("fits");
+    }
+    let mut table = Table::new(&head);
+    let asked = wanted.samples.map_or(SAMPLES.to_vec(), |it| vec![it]);
+    for samples in asked {
+        let usual = Capacities::of(samples, actions);
+        let it = states.map_or(usual, |states| usual.with_states(states));
+        check(it, samples)?;
+        let bytes = it.bytes(items, actions);
+        let parts = [bytes.samples, bytes.trees, bytes.habits, bytes.model];
+        let mut row = vec![
+            samples.into(),
+            it.states.into(),
+            grouped(bytes.all() as u64).into(),
+        ];
+        row.extend(parts.map(|part| grouped(part as u64).into()));
+        if let Some(ram) = wanted.ram {
+            row.push(
+                if bytes.all() as u64 <= ram {
+                    "yes"
+                } else {
+                    "no"
+                }
+                .into(),
+            );
+        }
+        table.row(row);
+    }
+    text.push_str("\n\n");
+    text.push_str(&table_text(&table));
+    text.push_str(
+        "\nIn brain!: samples: SAMPLES, states: STATES, ram: BYTES. What a call takes does not hang on the \
+         sizes: see memory-budget.md. A brain that is too small says so (health, cramped).",
+    );
+    Ok(text)
+}
+
+/// Whether a brain can have so many samples and states.
+fn check(it: Capacities, samples: usize) -> Result<(), Impossible> {
+    if it.stretches < 4096 && it.states < 16_384 {
+        return Ok(());
+    }
+    Err(Impossible::new(format!(
+        "--samples {samples} --states {}: a brain has less than 65,536 samples and 16,384 states",
+        it.states
+    )))
+}
+
+/// States for the situations of a world: the next power of two, 64 to 4096.
+fn proposed(world: &World) -> usize {
+    world.situations.next_power_of_two().clamp(64, 4096)
+}
+
+fn seen(path: &Path) -> Result<World, Failure> {
+    let (life, steps) = read_log(path)?;
+    let mut percepts = HashSet::new();
+    let mut situations = HashMap::new();
+    for pair in steps.windows(2) {
+        let [before, after] = pair else { continue };
+        percepts.insert(&before.percept.on);
+        let step = (&before.percept.on, &before.choice.action, &after.percept.on);
+        *situations.entry(step).or_insert(0_u32) += 1;
+    }
+    Ok(World {
+        items: life.items.len(),
+        actions: life.actions.len(),
+        steps: steps.len(),
+        percepts: percepts.len(),
+        situations: situations.values().filter(|&&it| it > RARE).count(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Wanted, size};
+
+    fn of(items: usize, actions: usize) -> Wanted {
+        Wanted {
+            items: Some(items),
+            actions: Some(actions),
+            ..Wanted::default()
+        }
+    }
+
+    #[test]
+    fn a_proposal_says_its_bytes_and_whether_it_fits() {
+        let small = Wanted {
+            samples: Some(1024),
+            states: Some(512),
+            ram: Some(128 * 1024),
+            ..of(7, 6)
+        };
+        let text = size(&small).unwrap();
+        assert!(text.contains("101,072") && text.contains("yes"), "{text}");
+        let text = size(&Wanted {
+            ram: Some(101_071),
+            ..small
+        });
+        assert!(text.unwrap().contains("no"));
+    }
+
+    #[test]
+    fn what_no_brain_can_have_is_refused_in_a_sentence() {
+        for wanted in [Wanted::default(), of(0, 3), of(3, 0), of(3, 33), of(126, 3)] {
+            let sentence = size(&wanted).unwrap_err().to_string();
+            assert!(sentence.contains("--items"), "{sentence}");
+        }
+        let most = Wanted {
+            samples: Some(70_000),
+            ..of(7, 6)
+        };
+        assert!(
+            size(&most)
+                .unwrap_err()
+                .to_string()
+                .contains("--samples 70000")
+        );
+        assert!(size(&of(100, 12)).is_ok());
+    }
+}
