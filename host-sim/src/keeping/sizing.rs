@@ -156,8 +156,10 @@ fn seen(path: &Path) -> Result<World, Failure> {
     for pair in steps.windows(2) {
         let [before, after] = pair else { continue };
         percepts.insert(&before.percept.on);
-        let step = (&before.percept.on, &before.choice.action, &after.percept.on);
-        *situations.entry(step).or_insert(0_u32) += 1;
+        if let Some(choice) = &before.choice {
+            let step = (&before.percept.on, &choice.action, &after.percept.on);
+            *situations.entry(step).or_insert(0_u32) += 1;
+        }
     }
     Ok(World {
         items: life.items.len(),

@@ -7,8 +7,9 @@ use super::damages::{FIRST, ids, name};
 use super::family::Damages;
 use super::measured::{Trial, of, sums};
 use super::options::{OneOptions, Part};
+use super::pioneer::SmallMind;
 use super::tables;
-use super::worlds::GENERATED_RIVALS;
+use super::worlds::{GENERATED_RIVALS, LeanVacuum};
 use crate::learner::mind::Brain;
 use crate::report::{Bound, Claim, Expectation, Rule, Statistic, Summary, mean};
 use crate::world::pioneer::ITEMS;
@@ -116,6 +117,11 @@ fn forager(options: &OneOptions, trials: &[Trial]) -> Vec<Claim> {
         after("5k", 250.0).judge(&of(trials, "forager.5000")),
         after("50k", 330.0).judge(&of(trials, "forager.50000")),
         bytes("forager.bytes", 265_000.0, size_of::<Brain<1, 7, 6>>()),
+        claim("forager.small", "ratio")
+            .rule(share(0.95))
+            .note("the same with 1024 samples and 512 states over that with 7168 and 512")
+            .judge_ratio(&of(trials, "forager.small"), &of(trials, "forager.20000")),
+        bytes("forager.small.bytes", 131_072.0, size_of::<SmallMind>()),
     ];
     if options.long {
         all.push(after("200k", 330.0).judge(&of(trials, "forager.200000")));
@@ -205,6 +211,14 @@ fn vacuum(trials: &[Trial]) -> Vec<Claim> {
         over("vacuum", "20000", 1.1),
         over("vacuum.3k", "3000", 1.0),
         bytes("vacuum.bytes", 200_000.0, size_of::<Brain<1, 15, 5>>()),
+        claim("vacuum.lean", "ratio")
+            .rule(share(1.1))
+            .note("as vacuum, with 128 states in place of 512")
+            .judge_ratio(
+                &of(trials, "vacuum.20000.lean"),
+                &of(trials, "vacuum.20000.hand"),
+            ),
+        bytes("vacuum.lean.bytes", 200_000.0, size_of::<LeanVacuum>()),
     ]
 }
 

@@ -4,6 +4,7 @@
 //! Half of a training is lived in the seed's own room, half in another; the test is in a third.
 
 use cla_core::agent::{Adaptation, AgentConfig};
+use cla_core::forest::Mind;
 use cla_core::num::Rng;
 
 use super::measured::Trial;
@@ -21,6 +22,9 @@ use crate::world::veil::{Lost, Veil, Veiled};
 
 /// The one learner in the Pioneer.
 pub(super) type ForagerMind = Minded<1, 7, 6>;
+
+/// The same for parts with 128 KiB: `samples: 1_024, states: 512` in `brain!`.
+pub(super) type SmallMind = Mind<1, 7, 6, 64, 28, 512, 512, 2048>;
 
 /// What a specimen is worth, as in the forager's `brain!`.
 const SPECIMEN: f32 = 10.0;
@@ -121,7 +125,7 @@ impl Raised {
     }
 }
 
-/// Trainings of other lengths, and the agent with both levels beside the usual one.
+/// Trainings of other lengths, the small mind, and the agent with both levels beside the usual one.
 pub(super) fn lengths(options: &OneOptions, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
     for actions in LENGTHS {
         let mut mind = newborn(options, 0.0, seed)?;
@@ -129,6 +133,11 @@ pub(super) fn lengths(options: &OneOptions, seed: u64, trial: &mut Trial) -> Res
         let (captures, _) = tested(&mut mind, options, seed)?;
         trial.note(format!("forager.{actions}"), captures);
     }
+    let mut small = Box::new(SmallMind::new());
+    small.be_born(options.config, values(0.0), seed)?;
+    raise(&mut *small, options.length(TRAINING), seed)?;
+    let (captures, _) = tested(&mut *small, options, seed)?;
+    trial.note("forager.small", captures);
     let config = AgentConfig::FORAGER_LEVEL2;
     let mut both = Forager::born(config, Adaptation::Reliabilities, seed)?;
     raise(&mut both, options.length(TRAINING), seed)?;

@@ -6,6 +6,8 @@ use super::damages::{FIRST, TWIN, ids, name};
 use super::family::{Damages, end};
 use super::measured::{Trial, rounded, sums, table};
 use super::options::{OneOptions, Part};
+use super::pioneer::SmallMind;
+use super::worlds::LeanVacuum;
 use crate::learner::mind::Brain;
 use crate::report::{Table, mean};
 
@@ -26,6 +28,7 @@ fn bytes() -> Table {
     let mut table = Table::new(&["world", "items", "actions", "bytes"]);
     for (world, items, actions, bytes) in [
         ("forager", 7, 6, size_of::<Brain<1, 7, 6>>()),
+        ("forager, small", 7, 6, size_of::<SmallMind>()),
         (
             "forager, 20 distractors",
             27,
@@ -35,6 +38,7 @@ fn bytes() -> Table {
         ("lake", 16, 4, size_of::<Brain<1, 16, 4>>()),
         ("shuttle", 5, 3, size_of::<Brain<1, 5, 3>>()),
         ("vacuum", 15, 5, size_of::<Brain<1, 15, 5>>()),
+        ("vacuum, lean", 15, 5, size_of::<LeanVacuum>()),
         ("keys", 48, 6, size_of::<Brain<2, 48, 6>>()),
         (
             "generated, the largest",
