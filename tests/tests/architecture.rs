@@ -126,9 +126,13 @@ fn each_storey_of_the_core_imports_only_storeys_below() {
         }
     }
     assert!(upward.is_empty(), "{upward:#?}");
-    // The list is in the order of the storeys: nobody stands on what comes after it.
-    for (index, (storey, below)) in STOREYS.iter().enumerate() {
-        let before = &STOREYS[..index];
+    in_order(&STOREYS);
+}
+
+/// The list is in the order of the storeys: nobody stands on what comes after it.
+fn in_order(storeys: &[(&str, &[&str])]) {
+    for (index, (storey, below)) in storeys.iter().enumerate() {
+        let before = &storeys[..index];
         let stands = |it: &&str| before.iter().any(|(other, _)| other == it);
         assert!(below.iter().all(stands), "{storey}: {below:?}");
     }
@@ -224,6 +228,7 @@ fn each_storey_of_the_simulator_imports_only_storeys_below() {
         }
     }
     assert!(upward.is_empty(), "{upward:#?}");
+    in_order(&SIMULATOR);
 }
 
 #[test]

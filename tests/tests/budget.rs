@@ -1,4 +1,4 @@
-//! `memory-budget.md` is true: every byte in it is measured here.
+//! `memory-budget.md` is true, and so is what README says of bytes: each is measured here.
 //!
 //! `UPDATE_BUDGET=1 cargo test -p cla-tests --test budget` writes its tables anew.
 
@@ -6,12 +6,14 @@ use std::fs;
 use std::mem::{size_of, size_of_val};
 
 use cla_core::forager::pioneer::{self, WORDS};
+use cla_core::forager::small;
 use cla_core::knowledge::Schema;
 use cla_core::num::Rng;
 use cla_core::word::{ItemStates, SignedItems};
 use host_sim::experiment::microworld::goals::Planning;
 use host_sim::experiment::microworld::level1::{ByteBank, Clasm, FloatBank, Mind, SeededMind};
 use host_sim::experiment::microworld::{level2, synthetic};
+use host_sim::learner::mind::Brain;
 
 /// Rows of a table: a structure, how many of them, bytes of all.
 type Rows = Vec<(&'static str, usize, usize)>;
@@ -47,6 +49,37 @@ fn forager() -> Rows {
         ),
         ("· percept", 1, size_of::<ItemStates<WORDS>>()),
         ("· random generator", 1, size_of::<Rng>()),
+    ]
+}
+
+/// What README says of whole brains.
+fn brains() -> String {
+    format!(
+        "The forager takes {} bytes with the one learner and 7168 samples; with the book's it takes {} \
+         bytes with 20 × 20 maps and both levels, and {} with maps of 10 × 10 and a byte for each weight.\n",
+        grouped(size_of::<Brain<1, 7, 6>>()),
+        grouped(pioneer::RAM),
+        grouped(small::RAM)
+    )
+}
+
+fn one_learner() -> Rows {
+    vec![
+        (
+            "forager: 7 items, 6 actions",
+            1,
+            size_of::<Brain<1, 7, 6>>(),
+        ),
+        (
+            "vacuum: 15 items, 5 actions",
+            1,
+            size_of::<Brain<1, 15, 5>>(),
+        ),
+        (
+            "largest generated world: 64 items, 12 actions",
+            1,
+            size_of::<Brain<2, 64, 12>>(),
+        ),
     ]
 }
 
@@ -136,12 +169,25 @@ fn with_table(text: &str, name: &str, table: &str) -> String {
 
 #[test]
 fn the_budget_says_what_the_brain_costs() {
-    let path = cla_tests::root().join("memory-budget.md");
-    let text = fs::read_to_string(&path).expect("the budget can be read");
-    let measured = with_table(&text, "forager", &markdown(&forager()));
-    let measured = with_table(&measured, "microworld", &markdown(&microworld()));
+    held("memory-budget.md", |text| {
+        let text = with_table(text, "forager", &markdown(&forager()));
+        let text = with_table(&text, "mind", &markdown(&one_learner()));
+        with_table(&text, "microworld", &markdown(&microworld()))
+    });
+}
+
+#[test]
+fn readme_says_what_a_brain_costs() {
+    held("README.md", |text| with_table(text, "brains", &brains()));
+}
+
+/// Compares a document with what is measured, or writes it anew.
+fn held(document: &str, measured: impl Fn(&str) -> String) {
+    let path = cla_tests::root().join(document);
+    let text = fs::read_to_string(&path).expect("the document can be read");
+    let measured = measured(&text);
     if std::env::var_os("UPDATE_BUDGET").is_some() {
-        fs::write(&path, measured).expect("the budget can be written");
+        fs::write(&path, measured).expect("the document can be written");
     } else {
         assert_eq!(
             text, measured,

@@ -39,7 +39,8 @@ fn summaries() -> Vec<Summary> {
 
 /// `{id:digits}` becomes the claim's estimate, `{id:digits:sd}` that with its deviation, `median` the
 /// median of its seeds, `printed` the number it is compared with (`mean_printed` without deviation),
-/// `ours` and `against` each arm of its pairs by itself, `time` a time with the seeds in which it is
+/// `ours` and `against` each arm of its pairs by itself, `low` and `high` the ends of its interval, `t`
+/// its test, `time` a time with the seeds in which it is
 /// never; digits are `3`, `.3` (no 0 before the point),
 /// `0,` (thousands apart) or `0%`.
 fn fill(template: &str, summaries: &[Summary]) -> String {
@@ -108,6 +109,15 @@ fn number(claim: &Claim, digits: &str, what: &str) -> String {
             spread(printed.mean, printed.sd.filter(|_| what == "printed"))
         }
         "time" => recovery::time(claim),
+        "low" | "high" => {
+            let interval = claim.ours.interval.as_ref().expect("an interval");
+            let high = interval.high.expect("two ends");
+            written(if what == "low" { interval.low } else { high }, digits)
+        }
+        "t" => {
+            let tested = claim.tested.as_ref().expect("a test");
+            recovery::mind::signed(tested.statistic.expect("a test by t"))
+        }
         "ours" => arm(&claim.per_seed),
         "against" => arm(claim.against.as_ref().expect("pairs")),
         other => panic!("{other} is nothing of a claim"),
@@ -173,7 +183,15 @@ fn the_tables_of_the_documents_say_what_the_claims_say() {
         let document = "docs/findings/recovery.md".to_owned();
         (document, name.to_owned(), table)
     });
-    for (path, name, table) in filled.chain([counted]).chain(recovered) {
+    let one = summaries.iter().find(|it| it.experiment == "one");
+    let one = one.expect("the claims of the one learner");
+    let minds = (
+        "docs/one-brain.md".to_owned(),
+        "one-damages".to_owned(),
+        recovery::mind::by_damage(one, recover),
+    );
+    let made = filled.chain([counted, minds]).chain(recovered);
+    for (path, name, table) in made {
         let path = root().join(path);
         let text = fs::read_to_string(&path).expect("the document can be read");
         let told = with_table(&text, &name, &table);

@@ -43,8 +43,8 @@ fn at_home() -> Box<pioneer::Brain> {
     brain
 }
 
-/// What keeping that brain in flash takes, against the budget.
-fn kept_in_flash(printed: &str) {
+/// What loading, saving and keeping that brain in flash take, against the budget.
+fn kept(printed: &str) {
     let printed = Printed::from(printed.to_owned());
     let number = |start: &str| {
         let number = printed.number(start, "");
@@ -65,6 +65,18 @@ fn kept_in_flash(printed: &str) {
         ("resume: instructions", "flash resume instructions"),
     ];
     let head = "| | Cortex-M4F |";
+    let image = [
+        ("image, bytes", "loaded"),
+        ("load: deepest stack", "load stack"),
+        ("save: deepest stack", "save stack"),
+    ];
+    let moved = [
+        ("load: instructions", "load instructions"),
+        ("save: instructions", "save instructions"),
+    ];
+    hold("image", head, &image.map(row).to_vec(), Tolerance::None);
+    let moved = moved.map(row).to_vec();
+    hold("image instructions", head, &moved, Tolerance::Percent);
     hold("store", head, &exact.map(row).to_vec(), Tolerance::None);
     let counted = counted.map(row).to_vec();
     hold("store instructions", head, &counted, Tolerance::Percent);
@@ -92,7 +104,7 @@ fn a_life_goes_from_the_host_to_a_board_and_back_and_nobody_can_tell() {
         assert!(printed.lines().any(|it| it == line), "{line}: {printed}");
     }
     assert!(fs::read(&whole).expect("whole") == fs::read(&back).expect("back"));
-    kept_in_flash(&printed);
+    kept(&printed);
     let mut returned = Box::new(pioneer::brain());
     recall(&mut *returned, names(), &back).expect("it is whole");
     let lives = [&mut home, &mut returned].map(|it| live(it, BACK, ACTIONS / 4).expect("it lives"));

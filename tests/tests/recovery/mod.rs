@@ -1,5 +1,7 @@
 //! The tables on the page of recovery, from the claims of `recover` and from its own tables.
 
+pub(crate) mod mind;
+
 use std::fmt::Write;
 
 use host_sim::report::{Claim, Summary, Table, mean};
