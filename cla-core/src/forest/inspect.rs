@@ -2,7 +2,7 @@
 //!
 //! Nothing here changes anything.
 
-use super::config::Voice;
+use super::config::{MindConfig, Voice};
 use super::mind::{Age, BEARABLE, Mind};
 use super::moment::Feature;
 use super::tree::DEEP;
@@ -114,6 +114,12 @@ impl<
     pub fn value(&self, item: ItemId) -> f32 {
         let value = self.values.get(usize::from(item.0));
         value.copied().unwrap_or(0.0)
+    }
+
+    /// How it learns and chooses.
+    #[must_use]
+    pub const fn config(&self) -> &MindConfig {
+        &self.config
     }
 
     /// What an item that is on adds to what habits hold each action to be worth, in discounted rewards.

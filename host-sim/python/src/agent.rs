@@ -1,24 +1,21 @@
 //! The learner, as the class `Agent` of the module; the class that Python sees stands on it.
 
-use std::collections::HashMap;
-
 use cla_core::forest::{Actions, Deliberation, MindConfig, Motive, Voice};
 use cla_core::reason::{Pursuit, Way};
 use cla_core::snapshot::Names;
 use cla_core::word::ActionId;
-use host_sim::failure::Failure;
-use host_sim::learner::Learner;
-use host_sim::learner::digest::{Digest, Digested};
-use host_sim::learner::rewarded::{Income, rewarded};
-use host_sim::world::Percept;
+use host_sim::failure::Impossible;
+use host_sim::learner::digest::Digest;
+use host_sim::settings;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::being::{Being, Said};
-use crate::guard::{guarded, refused};
+use crate::guard::{guarded, refused, with_room};
 use crate::percept;
 use crate::profile;
+use crate::stage::Stage;
 use crate::world::World;
 
 /// Actions of a life after which Python may interrupt it.
@@ -34,34 +31,12 @@ pub(crate) struct Agent {
     digest: Digest,
 }
 
-/// A mind in a world that pays it, or that is paid by its valued items alone.
-struct Living<'a> {
-    mind: &'a mut dyn Being,
-    paid: bool,
-}
-
-impl Learner for Living<'_> {
-    fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
-        Ok(usize::from(self.mind.choose(now, Actions::ALL)?.action.0))
-    }
-
-    fn learn(&mut self, now: &Percept) -> Result<(), Failure> {
-        self.learn_with(now, 0.0)
-    }
-
-    fn learn_with(&mut self, now: &Percept, reward: f32) -> Result<(), Failure> {
-        self.mind.learn(now, if self.paid { reward } else { 0.0 })?;
-        Ok(())
-    }
-
-    fn interrupt(&mut self) -> Result<(), Failure> {
-        Ok(self.mind.interrupt()?)
-    }
-
-    fn observe(&mut self, before: &Percept, by: usize, after: &Percept) -> Result<(), Failure> {
-        self.mind.observe(before, by as u16, after)?;
-        Ok(())
-    }
+/// What came of a part of a life.
+#[derive(Default)]
+struct Income {
+    earned: f64,
+    actions: u64,
+    episodes: u64,
 }
 
 #[pymethods]
@@ -74,7 +49,7 @@ impl Agent {
         values: Vec<f32>,
         profile: &str,
         seed: u64,
-        config: HashMap<String, f64>,
+        config: &str,
     ) -> PyResult<Self> {
         guarded(|| {
             if values.len() != items.len() {
@@ -85,9 +60,12 @@ impl Agent {
             }
             let config = configured(config).map_err(refused)?;
             let form = profile::form(profile, items.len(), actions.len()).map_err(refused)?;
-            let mind = profile::born(profile, config, &values, actions.len(), seed);
+            let mind = with_room(|| {
+                let born = profile::born(profile, config, &values, actions.len(), seed);
+                born.map_err(|it| it.to_string())
+            })?;
             Ok(Self {
-                mind: mind.map_err(refused)?,
+                mind,
                 items,
                 actions,
                 form,
@@ -177,8 +155,22 @@ impl Agent {
     }
 
     /// Pursues nothing any more.
-    fn give_up(&mut self) {
-        self.mind.give_up();
+    fn give_up(&mut self) -> PyResult<()> {
+        guarded(|| {
+            self.mind.give_up();
+            Ok(())
+        })
+    }
+
+    /// What each item is worth.
+    fn values(&self) -> Vec<f32> {
+        self.mind.values()
+    }
+
+    /// The configuration as JSON.
+    fn config(&self) -> PyResult<String> {
+        let tree = settings::tree_of(&self.mind.config()).map_err(refused)?;
+        Ok(tree.to_string())
     }
 
     /// How the last pursuit stands, and the actions that are left.
@@ -195,22 +187,26 @@ impl Agent {
     /// Actions to the goal from here; none when no way is known.
     fn way(&self, now: PyReadonlyArray1<'_, i8>) -> PyResult<Option<u8>> {
         let now = percept::read(&now, self.items.len())?;
-        Ok(match self.mind.way(&now) {
-            Way::Actions(actions) => Some(actions),
-            Way::Unknown => None,
+        guarded(|| {
+            Ok(match self.mind.way(&now) {
+                Way::Actions(actions) => Some(actions),
+                Way::Unknown => None,
+            })
         })
     }
 
     /// Why the last action was chosen: the schema, its value, who decided.
-    fn explain(&self) -> Option<(String, f32, String)> {
-        let (said, choice) = self.mind.explain()?;
+    fn explain(&self) -> PyResult<Option<(String, f32, String)>> {
+        let Some((said, choice)) = guarded(|| Ok(self.mind.explain()))? else {
+            return Ok(None);
+        };
         let text = format!(
             "{}/{}/{}",
             self.conjunction(&said.context),
             self.name_of(said.action),
             self.conjunction(&said.result)
         );
-        Some((text, choice.value, motive(&choice)))
+        Ok(Some((text, choice.value, motive(&choice))))
     }
 
     /// Every schema, or every context of the trees, as a dictionary.
@@ -237,12 +233,13 @@ impl Agent {
             row.set_item("activations", activations)?;
             Ok(row)
         };
-        self.mind.schemas().into_iter().map(told).collect()
+        let all = guarded(|| Ok(self.mind.schemas()))?;
+        all.into_iter().map(told).collect()
     }
 
     /// A look inside, as a dictionary.
     fn inside<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let it = self.mind.inside();
+        let it = guarded(|| Ok(self.mind.inside()))?;
         let all = PyDict::new(py);
         all.set_item("samples", it.samples)?;
         all.set_item("leaves", it.leaves)?;
@@ -295,19 +292,16 @@ impl Agent {
                 self.actions.len()
             )));
         }
-        let (mut earned, mut done, mut episodes) = (0.0, 0, 0);
-        while done < actions && !world.stage.look().finished() {
-            let left = actions - done;
-            let block = left
-                .min(BLOCK)
-                .min(world.stage.until_next().unwrap_or(BLOCK));
-            let income = self.block(py, world, block, paid)?;
-            earned += income.earned;
-            episodes += u64::from(income.episodes);
-            done += u64::from(income.actions);
+        let (mut income, stage) = (Income::default(), &mut world.stage);
+        while income.actions < actions && !stage.look().finished() {
+            let block = (actions - income.actions).min(BLOCK);
+            guarded(|| {
+                let lived = py.detach(|| self.block(stage, block, paid, &mut income));
+                lived.map_err(refused)
+            })?;
             py.check_signals()?;
         }
-        Ok((earned, done, episodes))
+        Ok((income.earned, income.actions, income.episodes))
     }
 
     /// The image of its life.
@@ -321,36 +315,54 @@ impl Agent {
     /// Takes a life from its image; with an error it is as it was.
     fn load(&mut self, image: &[u8], digest: u64) -> PyResult<()> {
         let names = self.names();
-        guarded(|| self.mind.load(names, image).map_err(refused))?;
+        let mind = &mut self.mind;
+        with_room(|| mind.load(names, image))?;
         self.digest = Digest::of(digest);
         Ok(())
     }
 }
 
 impl Agent {
+    /// Lives for so many actions or to the end of the world; `income` is what came of it so far, also
+    /// where an error ends it.
     fn block(
         &mut self,
-        py: Python<'_>,
-        world: &mut World,
+        stage: &mut Stage,
         actions: u64,
         paid: bool,
-    ) -> PyResult<Income> {
-        let (mind, digest) = (&mut *self.mind, self.digest);
-        let stage = &mut world.stage;
-        let lived = guarded(|| {
-            py.detach(|| {
-                let mut living = Living { mind, paid };
-                let mut it = Digested::new(&mut living, digest);
-                let income = rewarded(&mut it, stage.world(), actions as u32);
-                let income = income.map_err(|it| it.to_string())?;
-                let digest = it.digest();
-                stage.pass(u64::from(income.actions))?;
-                Ok((income, digest))
-            })
-            .map_err(|it: String| refused(it))
-        })?;
-        self.digest = lived.1;
-        Ok(lived.0)
+        income: &mut Income,
+    ) -> Result<(), String> {
+        for _ in 0..actions {
+            if stage.look().finished() {
+                break;
+            }
+            let now = stage.look().sense();
+            let choice = self.mind.choose(&now, Actions::ALL);
+            let action = usize::from(choice.map_err(|it| it.to_string())?.action.0);
+            self.digest.percept(&now);
+            self.digest.action(action);
+            let step = stage.step(action)?;
+            let reward = if paid { step.earned as f32 } else { 0.0 };
+            let felt = self.mind.learn(&step.felt, reward);
+            felt.map_err(|it| it.to_string())?;
+            self.digest.percept(&step.felt);
+            self.digest.reward(reward);
+            for (before, by, after) in &step.reflexes {
+                let felt = self.mind.observe(before, *by as u16, after);
+                felt.map_err(|it| it.to_string())?;
+                self.digest.percept(before);
+                self.digest.action(*by);
+                self.digest.percept(after);
+            }
+            income.earned += step.earned;
+            income.actions += 1;
+            if stage.look().episode_ended() {
+                self.mind.interrupt().map_err(|it| it.to_string())?;
+                stage.world().begin_episode();
+                income.episodes += 1;
+            }
+        }
+        Ok(())
     }
 
     fn names(&self) -> Names {
@@ -415,35 +427,12 @@ fn motive(choice: &Deliberation) -> String {
     word.to_owned()
 }
 
-/// The default configuration with some numbers of its own.
-fn configured(numbers: HashMap<String, f64>) -> Result<MindConfig, String> {
-    let mut config = MindConfig::DEFAULT;
-    for (field, number) in numbers {
-        macro_rules! fields {
-            (shares: $($share:ident),*; counts: $($count:ident: $most:ident),*) => {
-                match field.as_str() {
-                    $(stringify!($share) => config.$share = number as f32,)*
-                    $(stringify!($count) => {
-                        let fits = number >= 0.0 && number <= f64::from($most::MAX);
-                        if !fits || number.fract() != 0.0 {
-                            let most = $most::MAX;
-                            return Err(format!("{field} is a whole number up to {most}, not {number}"));
-                        }
-                        config.$count = number as $most;
-                    })*
-                    _ => {
-                        let known = [$(stringify!($share),)* $(stringify!($count)),*].join(", ");
-                        return Err(format!("the configuration has no {field:?}: there are {known}"));
-                    }
-                }
-            };
-        }
-        fields! {
-            shares: exploring, exploring_acting, discount, lambda, habit_discount, habit_lambda,
-                habit_rate, replay_rate, replay_rate_doubting, kept_doubting, trying, trying_acting,
-                habit_rate_doubting, model_discount, remembered, remembered_doubting, prior, felt;
-            counts: replayed: u16, block: u16, patience: u16, burst: u16, spread: u32, work: u32
-        }
-    }
-    Ok(config)
+/// The default configuration with what a JSON object says otherwise.
+fn configured(given: &str) -> Result<MindConfig, String> {
+    let told = |it: Impossible| it.to_string();
+    let given = serde_json::from_str(given).map_err(|it| format!("no configuration: {it}"))?;
+    let full = settings::tree_of(&MindConfig::DEFAULT).map_err(told)?;
+    let mut tree = full.clone();
+    settings::overlay(&mut tree, &full, &given, "config").map_err(told)?;
+    settings::of_tree(tree, "config").map_err(told)
 }

@@ -58,6 +58,9 @@ pub(crate) trait Being: Send + Sync {
     fn explain(&self) -> Option<(Said, Deliberation)>;
     fn schemas(&self) -> Vec<Said>;
     fn inside(&self) -> Inside;
+    /// What each item of the robot is worth.
+    fn values(&self) -> Vec<f32>;
+    fn config(&self) -> MindConfig;
     fn save(&self, names: Names) -> Result<Vec<u8>, String>;
     fn load(&mut self, names: Names, image: &[u8]) -> Result<(), String>;
 }
@@ -319,6 +322,15 @@ where
             bytes: size_of_val(&*self.mind),
             voices: Voice::ALL.map(told).to_vec(),
         }
+    }
+
+    fn values(&self) -> Vec<f32> {
+        let items = (0..self.items).map(|index| ItemId(index as u16));
+        items.map(|item| self.mind.value(item)).collect()
+    }
+
+    fn config(&self) -> MindConfig {
+        *self.mind.config()
     }
 
     fn save(&self, names: Names) -> Result<Vec<u8>, String> {

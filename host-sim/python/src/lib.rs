@@ -25,6 +25,13 @@ mod _native {
     #[pymodule_export]
     use super::world::World;
 
+    /// The seeds of the rooms of a life in the experiments: two of its childhood, that of the test.
+    #[pyo3::pyfunction]
+    fn rooms(seed: u64) -> (u64, u64, u64) {
+        let other = |stream| cla_core::num::Rng::stream(seed, stream).next_seed();
+        (seed, other(4), other(1))
+    }
+
     /// The profiles: names and what each is for.
     #[pyo3::pyfunction]
     fn profiles() -> Vec<(&'static str, &'static str)> {

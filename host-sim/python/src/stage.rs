@@ -191,11 +191,16 @@ impl Place for Damaged<Shared> {
     }
 }
 
+/// Damages that a world may have in its life: each lies around all that came before it.
+const MOST_DAMAGES: usize = 32;
+
 /// A world, how much was done in it, and what will break.
 pub(crate) struct Stage {
     world: Shared,
     seed: u64,
     done: u64,
+    /// What has broken, and what will.
+    damages: usize,
     /// By the number of actions after which they come.
     coming: BTreeMap<u64, Vec<Damage>>,
 }
@@ -204,9 +209,7 @@ pub(crate) struct Stage {
 pub(crate) struct Step {
     /// What was sensed before any reflex.
     pub(crate) felt: Percept,
-    /// What the action itself earned.
-    pub(crate) reward: f64,
-    /// What was earned with the reflexes.
+    /// What the action has earned, and the reflexes that it led to.
     pub(crate) earned: f64,
     /// Each reflex: what was sensed before, the action it ended as, what was sensed after.
     pub(crate) reflexes: Vec<(Percept, usize, Percept)>,
@@ -219,6 +222,7 @@ impl Stage {
             world: Shared::new(place),
             seed,
             done: 0,
+            damages: 0,
             coming: BTreeMap::new(),
         }
     }
@@ -253,10 +257,17 @@ impl Stage {
     pub(crate) fn break_after(&mut self, text: &str, actions: u64) -> Result<(), String> {
         let (items, its_actions) = (self.world.items(), self.world.actions());
         let damage = Damage::parse(text, items, its_actions).map_err(|it| it.to_string())?;
-        if actions <= self.done {
-            return self.suffer(damage);
+        if self.damages >= MOST_DAMAGES {
+            return Err(format!(
+                "a world has at most {MOST_DAMAGES} damages; reset makes it anew"
+            ));
         }
-        self.coming.entry(actions).or_default().push(damage);
+        if actions <= self.done {
+            self.suffer(damage)?;
+        } else {
+            self.coming.entry(actions).or_default().push(damage);
+        }
+        self.damages += 1;
         Ok(())
     }
 
@@ -266,18 +277,9 @@ impl Stage {
         Ok(())
     }
 
-    /// Actions until something breaks; `None` when nothing will.
-    pub(crate) fn until_next(&self) -> Option<u64> {
-        let (at, _) = self.coming.first_key_value()?;
-        Some(at.saturating_sub(self.done))
-    }
-
-    /// So many actions were done; what is due breaks.
-    ///
-    /// # Errors
-    /// A sentence when the body has no such part.
-    pub(crate) fn pass(&mut self, actions: u64) -> Result<(), String> {
-        self.done += actions;
+    /// An action was done; what is due breaks.
+    fn pass(&mut self) -> Result<(), String> {
+        self.done += 1;
         while let Some(entry) = self.coming.first_entry() {
             if *entry.key() > self.done {
                 break;
@@ -292,12 +294,11 @@ impl Stage {
     /// Does one action, its reflexes, and breaks what is due.
     ///
     /// # Errors
-    /// As [`pass`](Self::pass).
+    /// A sentence when the body has no such part.
     pub(crate) fn step(&mut self, action: usize) -> Result<Step, String> {
         let world = &mut self.world;
         let before = world.earned();
         world.act(action);
-        let reward = world.earned() - before;
         let felt = world.sense();
         let mut reflexes = Vec::new();
         loop {
@@ -306,10 +307,9 @@ impl Stage {
             reflexes.push((before, by, world.sense()));
         }
         let earned = world.earned() - before;
-        self.pass(1)?;
+        self.pass()?;
         Ok(Step {
             felt,
-            reward,
             earned,
             reflexes,
         })
@@ -318,38 +318,81 @@ impl Stage {
 
 #[cfg(test)]
 mod tests {
+    use cla_core::word::ItemId;
     use host_sim::world::config::PioneerConfig;
     use host_sim::world::pioneer::Pioneer;
 
-    use super::Stage;
+    use super::{MOST_DAMAGES, Stage};
+
+    /// Turns on the spot.
+    const TURN: usize = 2;
 
     fn stage() -> Stage {
         Stage::new(Pioneer::new(PioneerConfig::NOISY, 1).unwrap(), 1)
     }
 
+    fn sensed(stage: &Stage) -> Vec<Option<bool>> {
+        let items = 0..stage.look().items().len() as u16;
+        let now = stage.look().sense();
+        items.map(|item| now.get(ItemId(item))).collect()
+    }
+
     #[test]
-    fn what_breaks_in_mid_life_breaks_after_so_many_actions() {
-        let mut stage = stage();
-        stage.break_after("stuck:s1", 3).unwrap();
-        let on = |stage: &Stage| stage.look().sense().get(cla_core::word::ItemId(0));
-        for done in 1..=3 {
-            assert_eq!(stage.until_next(), Some(4 - done));
-            // The robot turns on the spot; s1 may be on by itself, but not three times in a row.
-            stage.step(2).unwrap();
+    fn what_breaks_in_mid_life_breaks_after_so_many_actions_and_not_before() {
+        let (mut whole, mut broken) = (stage(), stage());
+        // An item that is off after three turns.
+        for _ in 0..3 {
+            whole.step(TURN).unwrap();
         }
-        assert_eq!((stage.until_next(), on(&stage)), (None, Some(true)));
+        let off = sensed(&whole).iter().position(|it| *it == Some(false));
+        let off = off.expect("some item is off");
+        let name = whole.look().items()[off];
+        broken.break_after(&format!("stuck:{name}"), 3).unwrap();
+        let mut whole = stage();
+        for _ in 1..3 {
+            whole.step(TURN).unwrap();
+            broken.step(TURN).unwrap();
+            assert_eq!(sensed(&whole), sensed(&broken));
+        }
+        whole.step(TURN).unwrap();
+        broken.step(TURN).unwrap();
+        assert_eq!(sensed(&whole)[off], Some(false));
+        assert_eq!(sensed(&broken)[off], Some(true));
     }
 
     #[test]
     fn a_damage_that_cannot_be_leaves_the_world_as_it_was() {
+        let (mut stage, mut whole) = (stage(), stage());
+        for wrong in ["dead:s9", "swap:s1", "camera:", ""] {
+            assert!(stage.break_after(wrong, 0).is_err(), "{wrong}");
+            assert!(stage.break_after(wrong, 5).is_err(), "{wrong}");
+        }
+        for action in [TURN, 0, TURN, 1, 0, 0, 0, TURN] {
+            let (one, other) = (stage.step(action).unwrap(), whole.step(action).unwrap());
+            assert_eq!((one.earned, one.felt), (other.earned, other.felt));
+            assert_eq!(sensed(&stage), sensed(&whole));
+        }
+    }
+
+    #[test]
+    fn a_world_breaks_so_often_and_no_more() {
         let mut stage = stage();
-        assert!(stage.break_after("dead:s9", 0).is_err());
-        assert!(stage.break_after("swap:s1", 0).is_err());
-        let before = stage.look().sense();
-        stage.break_after("camera:+12", 0).unwrap();
-        stage.break_after("dead:ingrip", 0).unwrap();
-        assert_eq!(stage.look().items().len(), 7);
-        let _ = before;
+        for time in 0..MOST_DAMAGES {
+            let later = (time % 2) as u64 * 9;
+            stage.break_after("camera:+1", later).unwrap();
+        }
+        let refused = stage.break_after("dead:s1", 0).unwrap_err();
+        assert!(refused.contains("at most 32"), "{refused}");
         assert!(stage.step(0).is_ok());
+    }
+
+    #[test]
+    fn what_a_reflex_earns_is_earned_by_the_action_that_led_to_it() {
+        let (mut stage, mut earned) = (stage(), 0.0);
+        for action in [0, 0, 0, TURN, 0, 0, 3].into_iter().cycle().take(3000) {
+            earned += stage.step(action).unwrap().earned;
+        }
+        assert!(earned > 0.0);
+        assert_eq!(earned, f64::from(stage.look().obtained()));
     }
 }

@@ -28,7 +28,7 @@ pub(crate) struct World {
 }
 
 type Reflex<'py> = (Bound<'py, PyArray1<i8>>, usize, Bound<'py, PyArray1<i8>>);
-type Outcome<'py> = (Bound<'py, PyArray1<i8>>, f64, f64, Vec<Reflex<'py>>);
+type Outcome<'py> = (Bound<'py, PyArray1<i8>>, f64, Vec<Reflex<'py>>);
 
 #[pymethods]
 impl World {
@@ -53,12 +53,14 @@ impl World {
     }
 
     /// What is sensed now.
-    fn sense<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i8>> {
-        let world = self.stage.look();
-        percept::written(py, &world.sense(), world.items().len())
+    fn sense<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<i8>>> {
+        guarded(|| {
+            let world = self.stage.look();
+            Ok(percept::written(py, &world.sense(), world.items().len()))
+        })
     }
 
-    /// Does an action; what was felt, what it earned, what was earned with reflexes, the reflexes.
+    /// Does an action; what was felt before any reflex, what was earned with them, the reflexes.
     fn step<'py>(&mut self, py: Python<'py>, action: usize) -> PyResult<Outcome<'py>> {
         let count = self.stage.look().actions().len();
         if action >= count {
@@ -69,7 +71,6 @@ impl World {
         let step = guarded(|| self.stage.step(action).map_err(refused))?;
         let Step {
             felt,
-            reward,
             earned,
             reflexes,
         } = step;
@@ -79,14 +80,16 @@ impl World {
             .iter()
             .map(|(before, by, after)| (array(before), *by, array(after)))
             .collect();
-        Ok((array(&felt), reward, earned, reflexes))
+        Ok((array(&felt), earned, reflexes))
     }
 
     /// Whether the episode has ended, and whether it was for want of time.
-    fn ended(&self) -> (bool, bool) {
-        let world = self.stage.look();
-        let over = world.episode_ended() || world.finished();
-        (over, over && self.stage.out_of_time())
+    fn ended(&self) -> PyResult<(bool, bool)> {
+        guarded(|| {
+            let world = self.stage.look();
+            let over = world.episode_ended() || world.finished();
+            Ok((over, over && self.stage.out_of_time()))
+        })
     }
 
     /// Begins the next episode.
@@ -103,13 +106,8 @@ impl World {
     }
 
     /// Numbers about it that nobody in it perceives.
-    fn facts(&self) -> HashMap<&'static str, f64> {
-        self.stage.facts().into_iter().collect()
-    }
-
-    /// What was obtained since its beginning.
-    fn obtained(&self) -> u32 {
-        self.stage.look().obtained()
+    fn facts(&self) -> PyResult<HashMap<&'static str, f64>> {
+        guarded(|| Ok(self.stage.facts().into_iter().collect()))
     }
 }
 

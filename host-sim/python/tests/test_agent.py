@@ -2,6 +2,8 @@
 
 import copy
 import pickle
+import subprocess
+import sys
 import zlib
 
 import gymnasium
@@ -112,6 +114,109 @@ def test_it_lives_in_any_environment_with_binary_items():
     assert lived.episodes > 80 and lived.earned == lived.episodes
 
 
+class Told(gymnasium.Wrapper):
+    """Counts what comes through and pays twice."""
+
+    def __init__(self, env):
+        super().__init__(env)
+        self.steps = self.resets = 0
+
+    def reset(self, **arguments):
+        self.resets += 1
+        return super().reset(**arguments)
+
+    def step(self, action):
+        self.steps += 1
+        observation, reward, *rest = super().step(action)
+        return (observation, 2 * reward, *rest)
+
+
+def test_a_life_goes_through_whatever_lies_around_a_world():
+    env = Told(gymnasium.make("cla/Shuttle-v0"))
+    env.reset(seed=1)
+    lived = cla.Agent.for_env(env, seed=1).live(env, 50)
+    assert (env.steps, env.resets, lived.actions) == (50, 2, 50)
+    bare = gymnasium.make("cla/Shuttle-v0")
+    bare.reset(seed=1)
+    assert bare.unwrapped is not bare
+    before = bare.unwrapped._world
+    cla.Agent.for_env(bare, seed=1).live(bare, 50)
+    # Nothing of ours but the world: led in Rust, and not begun anew.
+    assert bare.unwrapped._world is before
+
+    class Own(cla.envs.Lake):
+        done = 0
+
+        def step(self, action):
+            self.done += 1
+            return super().step(action)
+
+    own = Own()
+    cla.Agent.for_env(own, seed=1).live(own, 30)
+    assert own.done == 30
+
+
+def test_the_end_of_time_that_a_wrapper_sets_ends_an_episode():
+    env = gymnasium.make("cla/Pioneer-v0", max_episode_steps=20)
+    agent = cla.Agent.for_env(env, {"ingrip": 10.0}, seed=1)
+    ended = []
+    agent.interrupt = lambda: ended.append(True)
+    assert agent.live(env, 100).episodes == 5 == len(ended)
+
+
+def test_a_life_does_not_follow_from_the_one_before_a_reset():
+    env, ended = gymnasium.make("cla/Pioneer-v0"), []
+    agent = cla.Agent.for_env(env, {"ingrip": 10.0}, seed=1)
+    agent.interrupt = lambda: ended.append(True)
+    for seed, interrupted in [(1, 0), (2, 1), (None, 1)]:
+        if seed is not None:
+            env.reset(seed=seed)
+        agent.live(env, 10)
+        assert len(ended) == interrupted
+
+
+def test_a_specimen_pays_who_is_paid_although_a_reflex_has_taken_it():
+    """The gripper closes by reflex, so the reward comes with one."""
+    earned = {}
+    for block in (1, 3000):
+        env = gymnasium.make("cla/Pioneer-v0").unwrapped
+        env.reset(seed=5)
+        agent = cla.Agent.for_env(env, seed=5)
+        life = [agent.live(env, block) for _ in range(3000 // block)]
+        earned[block] = (sum(it.earned for it in life), agent.digest, agent.image())
+    assert earned[1] == earned[3000] and earned[1][0] > 10
+    worth = max(row["value"] for row in agent.schemas())
+    assert worth > 0.05
+
+    env = gymnasium.make("cla/Pioneer-v0").unwrapped
+    env.reset(seed=5)
+    other = cla.Agent.for_env(env, seed=5)
+    brought = sum(other.learn_from(env.step(other.choose(env.percept()).action)) for _ in range(3000))
+    assert brought == earned[3000][0] and other.digest == agent.digest
+
+
+@pytest.mark.parametrize("profile", ["standard", "small", "planner"])
+def test_a_mind_of_any_size_is_born_and_loaded_in_a_thread_with_little_stack(profile):
+    program = f"""
+import threading
+import cla
+def make():
+    one = cla.Agent([f"i{{at}}" for at in range(112)], [f"a{{at}}" for at in range(24)], profile={profile!r})
+    one.choose([0] * 112)
+    one.learn([1] * 112)
+    one.load(one.image())
+    done.append(one)
+done = []
+threading.stack_size(192 * 1024)
+thread = threading.Thread(target=make)
+thread.start()
+thread.join()
+print(len(done))
+"""
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert (ran.returncode, ran.stdout) == (0, "1\n"), ran.stderr
+
+
 @pytest.mark.parametrize("profile", ["standard", "small", "planner"])
 def test_a_pickled_agent_goes_on_as_if_nothing_had_been(profile):
     one = trained(profile=profile)
@@ -151,10 +256,37 @@ def test_a_saved_agent_is_recalled_and_a_wrong_file_leaves_it_as_it_was(tmp_path
             other.load(data)
         assert "\n" not in str(refused.value)
         assert other.image() == image
+    for path in (3, None, ["moth.brain"]):
+        with pytest.raises(ValueError, match="path of a file"):
+            other.load(path)
+        with pytest.raises(ValueError, match="path of a file"):
+            other.save(path)
     with pytest.raises(OSError):
         other.load(tmp_path / "nobody.brain")
     with pytest.raises(OSError):
         agent.save(tmp_path / "no folder" / "moth.brain")
+
+
+def test_a_loaded_life_has_the_values_and_the_configuration_that_it_was_born_with():
+    other = cla.Agent(ITEMS, ACTIONS, {"light": 2.0}, seed=4, exploring=0.3, doubt_lasts=900)
+    agent = moth()
+    assert agent.values == (0.0, 1.0) and agent.config["exploring"] == 0.1
+    agent.load(other.image())
+    assert agent.values == other.values == (2.0, 0.0)
+    assert agent.config == other.config and agent.config["doubt_lasts"] == 900
+    assert agent.seed is None and other.seed == 4
+    assert not agent._is_paid(None)
+    agent.load(cla.Agent(ITEMS, ACTIONS, seed=1).image())
+    assert agent.values == (0.0, 0.0) and agent._is_paid(None)
+    kept = pickle.loads(pickle.dumps(agent))
+    assert kept.values == agent.values and kept.config == agent.config and kept.image() == agent.image()
+
+
+def test_settings_are_those_of_the_configuration_and_nothing_else():
+    agent = moth(doubting="never", heard=["habits", "model"], block=25.0, discount=1e-3)
+    assert agent.config["doubting"] == "never" and agent.config["heard"] == ["habits", "model"]
+    assert agent.config["block"] == 25 and agent.config["discount"] == 1e-3
+    assert cla.Agent(ITEMS, ACTIONS, **agent.config).config == agent.config
 
 
 def test_schemas_make_a_table():
@@ -266,8 +398,24 @@ def test_what_comes_in_the_wrong_order_is_refused():
     agent = moth()
     with pytest.raises(ValueError, match="nothing was chosen"):
         agent.learn([1, 0])
-    with pytest.raises(ValueError, match="an action is from 0 to 1"):
-        agent.observe([1, 0], 2, [1, 0])
+    for action, words in [(2, "an action is from 0 to 1"), (-1, "from 0 to 1"), (0.5, "whole"), ("go", "whole")]:
+        with pytest.raises(ValueError, match=words):
+            agent.observe([1, 0], action, [1, 0])
+    for before, after in [([1], [1, 0]), ([1, 0], [1, 0, 0]), ([1, 0], [float("nan"), 0]), (["a", "b"], [1, 0])]:
+        with pytest.raises(ValueError):
+            agent.observe(before, 0, after)
+    for percept in ([1, 0, 1], [2, 0], [float("nan"), 0], None):
+        agent.choose([1, 0])
+        with pytest.raises(ValueError):
+            agent.learn(percept)
+    agent.interrupt()
+    for units in (-1, 0.5, "many", 2**32):
+        with pytest.raises(ValueError, match="units"):
+            agent.idle(units)
+    env = gymnasium.make("cla/Lake-v0")
+    for actions in (-1, 0.5, None, 2**41):
+        with pytest.raises(ValueError, match="actions"):
+            cla.Agent.for_env(env).live(env, actions)
     assert agent.observe([1, 0], 1, [0, 1]) == 1.0
 
 
@@ -291,7 +439,14 @@ def test_what_comes_in_the_wrong_order_is_refused():
         ({"exploring": 2.0}, "exploring"),
         ({"exploring": float("nan")}, "exploring"),
         ({"block": 0.5}, "block"),
-        ({"exploration": 0.1}, "exploring"),
+        ({"exploration": 0.1}, "did you mean config.exploring"),
+        ({"block": -1}, "block"),
+        ({"block": 2**16}, "block"),
+        ({"doubting": "often"}, "doubting"),
+        ({"heard": ["voices"]}, "heard"),
+        ({"discount": "much"}, "discount"),
+        ({"discount": [0.5]}, "discount"),
+        ({"profile": 3}, "profile"),
     ],
 )
 def test_an_impossible_agent_is_refused_in_a_sentence(arguments, words):
@@ -304,6 +459,8 @@ def test_an_agent_of_another_robot_does_not_live_here():
     env = gymnasium.make("cla/Lake-v0")
     with pytest.raises(ValueError, match="16 items"):
         moth().live(env, 10)
+    with pytest.raises(ValueError, match="does not name"):
+        cla.Agent.for_env(gymnasium.make("CartPole-v1"))
 
 
 @pytest.mark.parametrize(

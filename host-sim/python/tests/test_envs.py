@@ -1,5 +1,7 @@
 """The worlds as environments of Gymnasium."""
 
+import subprocess
+import sys
 import warnings
 
 import gymnasium
@@ -150,6 +152,15 @@ def test_a_world_of_a_file(tmp_path):
     path.write_text(TWO_STATES.replace("O: *\n1 0", "O: *\n0.5 0"))
     with pytest.raises(ValueError, match="line"):
         gymnasium.make("cla/Pomdp-v0", file=path)
+    path.write_text("states: 999999999\nactions: 9\nobservations: 9\n")
+    with pytest.raises(ValueError, match="line"):
+        gymnasium.make("cla/Pomdp-v0", file=path)
+    path.write_bytes(b"\xff\xfe\x00states")
+    with pytest.raises(ValueError, match="no text"):
+        gymnasium.make("cla/Pomdp-v0", file=path)
+    for file in (3, None, tmp_path / "nobody.POMDP"):
+        with pytest.raises((ValueError, OSError)):
+            gymnasium.make("cla/Pomdp-v0", file=file)
 
 
 @pytest.mark.parametrize(
@@ -178,9 +189,61 @@ def test_a_damage_that_this_world_cannot_have_is_refused_and_changes_nothing():
         envs.Lake(damage="camera:+12")
     env = envs.Lake()
     env.reset(seed=1)
-    with pytest.raises(ValueError):
-        env.suffer("camera:+12")
+    for damage in ("camera:+12", "dead:s1", "", 3, None):
+        with pytest.raises(ValueError):
+            env.suffer(damage)
     assert env.step(1)[4]["actions"] == 1
+
+
+def test_a_damage_of_later_that_cannot_be_is_refused_at_once():
+    for world, damage in [(envs.Lake, "camera:+12"), (envs.Shuttle, "camera:+5"), (envs.Pioneer, "dead:s9")]:
+        with pytest.raises(ValueError):
+            world(damage=damage, damage_at=20_000)
+
+
+def test_a_world_suffers_often_and_the_interpreter_lives_on():
+    """Each damage lies around those before it; without an end to that the stack would not last."""
+    program = """
+import cla
+env = cla.envs.Pioneer()
+env.reset(seed=1)
+for time in range(200_000):
+    try:
+        env.suffer("camera:+1")
+    except ValueError as refused:
+        assert "at most 32 damages" in str(refused)
+        break
+env.step(0)
+env.reset(seed=1)
+env.suffer("dead:s1")
+print(time)
+"""
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert (ran.returncode, ran.stdout) == (0, "32\n"), ran.stderr
+
+
+def test_what_breaks_in_mid_life_breaks_in_the_middle_of_a_block_and_across_episodes():
+    env = envs.Lake(damage="lost:up", damage_at=150)
+    env.reset(seed=1)
+    agent = cla.Agent.for_env(env, seed=1)
+    other_env = envs.Lake(damage="lost:up", damage_at=150)
+    other_env.reset(seed=1)
+    other = cla.Agent.for_env(other_env, seed=1)
+    agent.live(env, 400)
+    for actions in (149, 1, 1, 249):
+        other.live(other_env, actions)
+    assert agent.digest == other.digest and agent.image() == other.image()
+    whole = envs.Lake()
+    whole.reset(seed=1)
+    unharmed = cla.Agent.for_env(whole, seed=1)
+    unharmed.live(whole, 150)
+    again = cla.Agent.for_env(whole, seed=1)
+    broken = envs.Lake(damage="lost:up", damage_at=150)
+    broken.reset(seed=1)
+    again.live(broken, 150)
+    assert unharmed.digest == again.digest
+    unharmed.live(whole, 250)
+    assert unharmed.digest != agent.digest
 
 
 @pytest.mark.parametrize("action", [-1, 6, 2.5, "forward", None, np.float32(1)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import os
 from typing import Any, Sequence
 
 import numpy as np
@@ -68,3 +69,27 @@ def named(what: str, names: Any) -> tuple[str, ...]:
         double = next(name for name in all_names if all_names.count(name) > 1)
         raise ValueError(f"{what} have {double!r} twice")
     return all_names
+
+
+def setting(name: str, value: Any) -> Any:
+    """A value of a configuration: a word, a list of words, or a finite number."""
+    if value is None or isinstance(value, (str, bool)):
+        return value
+    if isinstance(value, (list, tuple)) and all(isinstance(it, str) for it in value):
+        return list(value)
+    number = finite(name, value)
+    return int(number) if number.is_integer() else number
+
+
+def text(what: str, value: Any) -> str:
+    """A text."""
+    if not isinstance(value, str):
+        raise ValueError(f"{what} is a text, not {value!r}")
+    return value
+
+
+def path(what: str, value: Any) -> str | os.PathLike[str]:
+    """The name of a file."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise ValueError(f"{what} is the path of a file, not {value!r}")
+    return value

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 import struct
 from typing import Any, Iterable, Mapping, NamedTuple, Sequence
+
+import gymnasium
+from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 
 from cla import _checked
 from cla._native import Agent as _Native
@@ -12,6 +16,15 @@ from cla._native import Agent as _Native
 __all__ = ["Agent", "Choice", "Life"]
 
 _HEAD = b"CLAPY\x01\x00\x00"
+_FRESH = 0xCBF2_9CE4_8422_2325
+
+
+def _bare(env: Any) -> Any:
+    """The world of the project that lies here, where nothing around it changes what comes through."""
+    while isinstance(env, (OrderEnforcing, PassiveEnvChecker)):
+        env = env.env
+    is_ours = getattr(env, "_is_ours", None) if not isinstance(env, gymnasium.Wrapper) else None
+    return env if is_ours is not None and is_ours() else None
 
 
 class Choice(NamedTuple):
@@ -53,8 +66,10 @@ class Agent:
         ``"planner"``, which has schemas with results, plans and goals.
     seed : int
         Decides everything that is left to chance, 0 to 2**64 - 1.
-    **config : float
-        Fields of the configuration: ``exploring=0.2``, ``discount=0.9``; see ``MindConfig`` in Rust.
+    **config : float, str or list of str
+        Settings, as those of ``host-sim live``: ``exploring=0.2``, ``doubt_lasts=800``,
+        ``doubting="never"``, ``heard_doubting=["habits"]``; see ``MindConfig`` in Rust.  One that does
+        not exist is refused with the nearest that does.
 
     A robot whose items and actions are as many as those of a world of the project gets a mind of just
     that size, and its life is that of Rust's.  Others get the smallest of the forms (32, 8), (64, 12)
@@ -77,14 +92,15 @@ class Agent:
         *,
         profile: str = "standard",
         seed: int = 0,
-        **config: float,
+        **config: Any,
     ) -> None:
         self.items = _checked.named("items", items)
         self.actions = _checked.named("actions", actions)
-        self.profile = profile
-        self.seed = _checked.seed_of(seed)
-        self.config = {name: _checked.finite(name, it) for name, it in config.items()}
-        self.values = self._valued(values)
+        self.profile = _checked.text("a profile", profile)
+        #: The seed that it was born with; ``None`` when its life was loaded.
+        self.seed: int | None = _checked.seed_of(seed)
+        self._given = {name: _checked.setting(name, it) for name, it in config.items()}
+        self._worth = self._valued(values)
         self._native = self._born()
 
     @classmethod
@@ -93,6 +109,8 @@ class Agent:
     ) -> "Agent":
         """An agent for an environment of the project, whose items and actions have names."""
         inner = env.unwrapped
+        if not hasattr(inner, "items") or not hasattr(inner, "actions"):
+            raise ValueError(f"{type(inner).__name__} does not name its items and actions; say them to Agent")
         return cls(inner.items, inner.actions, values, **arguments)
 
     def _valued(self, values: Any) -> tuple[float, ...]:
@@ -114,10 +132,10 @@ class Agent:
         return _Native(
             list(self.items),
             list(self.actions),
-            list(self.values),
-            str(self.profile),
-            self.seed,
-            self.config,
+            list(self._worth),
+            self.profile,
+            self.seed or 0,
+            json.dumps(self._given, allow_nan=False),
         )
 
     # --- a step ---------------------------------------------------------------------------------
@@ -164,8 +182,7 @@ class Agent:
         observation, reward, terminated, truncated, info = step
         own = info.get("cla", {})
         felt = own.get("felt", observation)
-        given = own.get("reward", reward) if self._is_paid(paid) else 0.0
-        brought = self.learn(felt, given)
+        brought = self.learn(felt, reward if self._is_paid(paid) else 0.0)
         for before, action, after in own.get("reflexes", ()):
             self.observe(before, action, after)
         if terminated or truncated:
@@ -173,7 +190,7 @@ class Agent:
         return brought
 
     def _is_paid(self, paid: bool | None) -> bool:
-        return not any(self.values) if paid is None else bool(paid)
+        return not any(self._worth) if paid is None else bool(paid)
 
     def interrupt(self) -> None:
         """The episode is over: what comes next does not follow from what was."""
@@ -187,27 +204,42 @@ class Agent:
         """Lives in an environment for so many actions, across episodes.
 
         In a world of the project the whole life is led in Rust, and is the life of Rust to the bit;
-        the environment stands where it ended.  Any other environment with as many binary items and
-        discrete actions is stepped through from Python.
+        the environment stands where it ended.  Where a wrapper lies around it that may change what
+        comes through, and in any other environment with as many binary items and discrete actions, a
+        life begins with a reset and goes step by step through ``env.step``: what that returns is all
+        that the agent learns from.
+        After a reset what comes next does not follow from what was: :meth:`interrupt` is called.
 
         ``paid`` is that of :meth:`learn_from`.
         """
         count = _checked.whole("the number of actions", actions, 0, 2**40)
         is_paid = self._is_paid(paid)
-        native = getattr(env.unwrapped, "_live", None)
-        if native is not None:
-            return Life(*native(self._native, count, is_paid))
+        world = _bare(env)
+        if world is not None:
+            if world._anew and self._has_lived():
+                self.interrupt()
+            return Life(*world._live(self._native, count, is_paid))
+        if count == 0:
+            return Life(0.0, 0, 0)
         earned, episodes = 0.0, 0
-        observation, _ = env.reset()
+        observation = self._reset(env)
         for _ in range(count):
             step = env.step(self.choose(observation).action)
-            self.learn_from(step, paid=is_paid)
             observation, reward, terminated, truncated, _ = step
+            self.learn(observation, reward if is_paid else 0.0)
             earned += float(reward)
             if terminated or truncated:
                 episodes += 1
-                observation, _ = env.reset()
+                observation = self._reset(env)
         return Life(earned, count, episodes)
+
+    def _reset(self, env: gymnasium.Env[Any, Any]) -> Any:
+        if self._has_lived():
+            self.interrupt()
+        return env.reset()[0]
+
+    def _has_lived(self) -> bool:
+        return bool(self._native.inside()["samples"])
 
     # --- goals and reasons ----------------------------------------------------------------------
 
@@ -275,6 +307,16 @@ class Agent:
         return self._native.inside()
 
     @property
+    def values(self) -> tuple[float, ...]:
+        """What each item is worth."""
+        return tuple(self._native.values())
+
+    @property
+    def config(self) -> dict[str, Any]:
+        """The whole configuration: names and values, as ``Agent(…, **config)`` takes them."""
+        return json.loads(self._native.config())
+
+    @property
     def form(self) -> tuple[int, int]:
         """Items and actions of the mind's type, which may be more than the robot's."""
         return self._native.form
@@ -292,6 +334,7 @@ class Agent:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Keeps its life in a file, in place of what the file held."""
+        path = _checked.path("what is saved into", path)
         beside = f"{os.fspath(path)}.unfinished.{os.getpid()}"
         try:
             with open(beside, "wb") as file:
@@ -306,18 +349,17 @@ class Agent:
     def load(self, image: str | os.PathLike[str] | bytes) -> None:
         """Takes a life from a file or from the bytes of an image; with an error it is as it was.
 
-        Its :attr:`digest` begins anew.
+        Values and configuration are those of that life, its seed is not known any more, and its
+        :attr:`digest` begins anew.
         """
-        self._take(image, None)
-
-    def _take(self, image: Any, digest: int | None) -> None:
         if isinstance(image, (bytes, bytearray, memoryview)):
             data = bytes(image)
         else:
-            with open(image, "rb") as file:
+            with open(_checked.path("an image", image), "rb") as file:
                 data = file.read()
-        fresh = 0xCBF2_9CE4_8422_2325 if digest is None else digest
-        self._native.load(data, fresh)
+        self._native.load(data, _FRESH)
+        self.seed = None
+        self._worth, self._given = self.values, self.config
 
     def __getstate__(self) -> dict[str, Any]:
         state = {name: it for name, it in self.__dict__.items() if name != "_native"}
@@ -332,7 +374,7 @@ class Agent:
         self.__dict__.update(kept)
         self._native = self._born()
         (digest,) = struct.unpack_from("<Q", image, len(_HEAD))
-        self._take(image[len(_HEAD) + 8 :], digest)
+        self._native.load(image[len(_HEAD) + 8 :], digest)
 
     def __repr__(self) -> str:
         return (

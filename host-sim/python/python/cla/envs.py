@@ -13,9 +13,9 @@
 
 An observation is ``MultiBinary(items)``: 1 where an item is on, 0 where it is off or unknown.
 ``info`` has what nobody in the world perceives (the pose, what was captured), and under ``"cla"`` what
-a learner needs to live as in Rust: ``felt``, the percept before any reflex with -1 for what is unknown;
-``reflexes``, for each what was perceived before, the action it ended as, what was perceived after; and
-``reward`` without what reflexes earned.
+a learner needs to live as in Rust: ``felt``, the percept before any reflex with -1 for what is unknown,
+and ``reflexes``, for each what was perceived before, the action it ended as, what was perceived after.
+The reward is that of the action and of the reflexes that it led to: the Pioneer's gripper closes by one.
 
 ``reset(seed=s)`` makes the world of that seed, the same as in Rust.  ``reset()`` begins the next
 episode; a world that is one long episode is made anew by a seed that the environment draws.
@@ -32,8 +32,9 @@ from numpy.typing import NDArray
 
 from cla import _checked
 from cla._native import World as _World
+from cla._native import rooms as _rooms
 
-__all__ = ["World", "Pioneer", "Microworld", "Shuttle", "Vacuum", "Lake", "Keys", "Generated", "Pomdp"]
+__all__ = ["World", "Pioneer", "Microworld", "Shuttle", "Vacuum", "Lake", "Keys", "Generated", "Pomdp", "rooms"]
 
 
 class World(gymnasium.Env[NDArray[np.int8], np.int64]):
@@ -44,7 +45,8 @@ class World(gymnasium.Env[NDArray[np.int8], np.int64]):
     damage : str, optional
         What breaks, ``"camera:+12"``, ``"dead:s3"``, ``"swap:turnl,turnr"``, ``"slip:0.2"`` ...
     damage_at : int
-        After how many actions of a life it breaks; 0, the default, from the beginning.
+        After how many actions it breaks, counted from when the world was made, across episodes; 0, the
+        default, from the beginning.
     **options : float
         The numbers of the world.
     """
@@ -55,15 +57,17 @@ class World(gymnasium.Env[NDArray[np.int8], np.int64]):
 
     def __init__(self, *, damage: str | None = None, damage_at: int = 0, **options: float) -> None:
         self.render_mode = None
-        if damage is not None and not isinstance(damage, str):
-            raise ValueError(f"a damage is a text such as 'dead:s3', not {damage!r}")
-        self._damage = damage
+        self._damage = None if damage is None else _checked.text("a damage", damage)
         self._damage_at = _checked.whole("damage_at", damage_at, 0, 2**53)
         self._options = {name: _checked.finite(name, it) for name, it in options.items()}
         self._closed = False
         # Tells names and numbers, and refuses what cannot be, before anybody lives here.
         self._world = self._made(0)
+        if self._damage is not None and self._damage_at > 0:
+            # What breaks later must be able to break: seen in a world that nobody lives in.
+            self._made(0).break_after(self._damage, 0)
         self._begun = False
+        self._anew = True
         self.items: tuple[str, ...] = tuple(self._world.items())
         self.actions: tuple[str, ...] = tuple(self._world.actions())
         self.observation_space = spaces.MultiBinary(len(self.items))
@@ -97,9 +101,9 @@ class World(gymnasium.Env[NDArray[np.int8], np.int64]):
             world.begin_episode()
         else:
             world = self._made(int(self.np_random.integers(2**63)))
-        self._world, self._begun = world, True
+        self._world, self._begun, self._anew = world, True, True
         felt = world.sense()
-        return self._seen(felt), self._info(felt, 0.0, [])
+        return self._seen(felt), self._info(felt, [])
 
     def step(
         self, action: Any
@@ -109,9 +113,10 @@ class World(gymnasium.Env[NDArray[np.int8], np.int64]):
         if not self._begun:
             raise ValueError("the environment has to be reset before its first step")
         index = _checked.whole("an action", action, 0, len(self.actions) - 1)
-        felt, reward, earned, reflexes = world.step(index)
+        felt, earned, reflexes = world.step(index)
+        self._anew = False
         over, out_of_time = world.ended()
-        info = self._info(felt, reward, reflexes)
+        info = self._info(felt, reflexes)
         return self._seen(world.sense()), earned, over and not out_of_time, out_of_time, info
 
     def _live(self, agent: Any, actions: int, paid: bool) -> tuple[float, int, int]:
@@ -119,11 +124,20 @@ class World(gymnasium.Env[NDArray[np.int8], np.int64]):
         if not self._begun:
             self.reset()
         lived: tuple[float, int, int] = agent.live(self._open(), actions, paid)
+        self._anew = False
         return lived
 
+    def _is_ours(self) -> bool:
+        """Whether its steps are those of Rust, and not those of a class that stands on this one."""
+        ours = ("reset", "step", "_seen", "_info")
+        return all(getattr(type(self), name) is getattr(World, name) for name in ours)
+
     def suffer(self, damage: str) -> None:
-        """Something breaks now; it stays broken until the world is made anew."""
-        self._open().break_after(damage, 0)
+        """Something breaks now; it stays broken until the world is made anew.
+
+        A world has at most 32 damages.
+        """
+        self._open().break_after(_checked.text("a damage", damage), 0)
 
     def percept(self) -> NDArray[np.int8]:
         """What is sensed now, shape (items,): 1 on, 0 off, -1 unknown."""
@@ -137,9 +151,9 @@ class World(gymnasium.Env[NDArray[np.int8], np.int64]):
     def _seen(felt: NDArray[np.int8]) -> NDArray[np.int8]:
         return np.maximum(felt, 0)
 
-    def _info(self, felt: NDArray[np.int8], reward: float, reflexes: list[Any]) -> dict[str, Any]:
+    def _info(self, felt: NDArray[np.int8], reflexes: list[Any]) -> dict[str, Any]:
         info: dict[str, Any] = self._world.facts()
-        info["cla"] = {"felt": felt, "reward": reward, "reflexes": reflexes}
+        info["cla"] = {"felt": felt, "reflexes": reflexes}
         return info
 
 
@@ -214,12 +228,22 @@ class Pomdp(World):
     _name = "pomdp"
 
     def __init__(self, file: Any, **arguments: Any) -> None:
-        with open(file, encoding="utf-8") as text:
-            self._file = text.read()
+        with open(_checked.path("a file", file), encoding="utf-8") as text:
+            try:
+                self._file = text.read()
+            except UnicodeDecodeError as error:
+                raise ValueError(f"the file is no text: {error.reason} at byte {error.start}") from None
         super().__init__(**arguments)
 
     def _text(self) -> str | None:
         return self._file
+
+
+def rooms(seed: int) -> tuple[int, int, int]:
+    """The seeds of the rooms of a life in the experiments of ``host-sim``: two of its childhood, and the third,
+    in which it is tested and something breaks."""
+    first, second, third = _rooms(_checked.seed_of(seed))
+    return first, second, third
 
 
 def register() -> None:
