@@ -8,7 +8,7 @@
 #![no_main]
 
 use cart::pace::{Pace, Turn, WhenLate};
-use cart::robot::cart::{Action, Item, Percept, SAFE, be_born, brain};
+use cart::robot::cart::{Action, Item, Percept, be_born, brain};
 use cart::robot::{Readings, Senses, cart as robot, wheels};
 use cla_core::MindConfig;
 use cortex_m_rt::interrupt;
@@ -19,7 +19,7 @@ use embassy_futures::yield_now;
 use embassy_nrf::gpio::{Input, Pull};
 use embassy_nrf::interrupt::{self, InterruptExt, Priority};
 use embassy_nrf::pwm::{DutyCycle, SimpleConfig, SimplePwm};
-use embassy_nrf::saadc::{self, ChannelConfig, Saadc};
+use embassy_nrf::saadc::{self, ChannelConfig, Resistor, Saadc};
 use embassy_nrf::wdt::{HaltConfig, Watchdog, WatchdogHandle};
 use embassy_nrf::{bind_interrupts, wdt};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
@@ -60,10 +60,13 @@ struct Body {
     watchdog: WatchdogHandle,
 }
 
-/// An action is over: what was done, and what is perceived now.
+/// An action is over: what was perceived when it began, what was done, what is perceived now, and
+/// whether it had begun later than it was due.
 struct Report {
+    began: Percept,
     done: Action,
     now: Percept,
+    late: bool,
 }
 
 static SENSED: Signal<CriticalSectionRawMutex, Report> = Signal::new();
@@ -106,14 +109,21 @@ async fn control(mut body: Body) {
     let mut senses = Senses::new();
     let mut pace = Pace::new(TICKS_AN_ACTION, WHEN_LATE);
     let mut ticker = Ticker::every(TICK);
-    let mut missed = 0;
+    let (mut missed, mut began) = (0, Percept::UNKNOWN);
     loop {
         let readings = body.measure().await;
         let now = senses.sense(&readings);
         let turn = pace.tick(DECIDED.try_take());
         body.drive(wheels(turn.action(), readings.bumped));
-        if let Turn::Ended(done) = turn {
-            SENSED.signal(Report { done, now });
+        match turn {
+            Turn::Began(_) => began = now,
+            Turn::On(_) => {}
+            Turn::Ended { done, late } => SENSED.signal(Report {
+                began,
+                done,
+                now,
+                late,
+            }),
         }
         if pace.missed() != missed {
             missed = pace.missed();
@@ -136,13 +146,17 @@ async fn main(_spawner: Spawner) {
         error!("a watchdog of another program runs: it will reset the part");
         core::future::pending().await
     };
-    let channels = [
+    let mut channels = [
         ChannelConfig::single_ended(p.P0_02),
         ChannelConfig::single_ended(p.P0_03),
         ChannelConfig::single_ended(p.P0_28),
         ChannelConfig::single_ended(p.P0_29),
         ChannelConfig::single_ended(p.P0_30),
     ];
+    for channel in &mut channels {
+        // Else the line of a cable that is cut floats, and reads as anything.
+        channel.resistor = Resistor::Pulldown;
+    }
     let pwm = SimpleConfig::default();
     let body = Body {
         adc: Saadc::new(p.SAADC, Irqs, saadc::Config::default(), channels),
@@ -168,17 +182,21 @@ async fn think() -> ! {
     if be_born(brain, MindConfig::DEFAULT, SEED).is_err() {
         defmt::panic!("the default configuration works");
     }
-    let (mut before, mut chosen) = (Percept::UNKNOWN, SAFE);
     let (mut actions, mut charged) = (0_u32, 0_u32);
     loop {
-        let Report { done, now } = SENSED.wait().await;
-        // What was really done is learned from: a late brain's choice was not.
+        let Report {
+            began,
+            done,
+            now,
+            late,
+        } = SENSED.wait().await;
+        // What was really done is learned from, in the moment in which it was.
         let learned = if actions == 0 {
             Ok(())
-        } else if done == chosen {
-            brain.learn(&now).map(drop)
+        } else if late {
+            brain.observe(&began, done, &now).map(drop)
         } else {
-            brain.observe(&before, done, &now).map(drop)
+            brain.learn(&now).map(drop)
         };
         if learned.is_err() {
             warn!("nothing was learned from action {}", actions);
@@ -186,8 +204,7 @@ async fn think() -> ! {
         if actions == TRAINING && brain.act().is_err() {
             warn!("training goes on");
         }
-        chosen = brain.choose_or_safe(&now);
-        DECIDED.signal(chosen);
+        DECIDED.signal(brain.choose_or_safe(&now));
         charged += u32::from(now.get(Item::charging) == Some(true));
         actions = actions.saturating_add(1);
         if actions % 100 == 0 {
@@ -198,7 +215,6 @@ async fn think() -> ! {
                 brain.alarms()
             );
         }
-        before = now;
         while brain.pending() && !SENSED.signaled() {
             brain.idle(WORK);
             yield_now().await;

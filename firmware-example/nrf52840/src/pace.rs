@@ -4,7 +4,8 @@
 //! The control task ticks; an action lasts so many ticks. At the end of an action the percept goes to
 //! the brain, and its answer is due at the next tick: until then the last action goes on. A brain that
 //! has not answered has missed a tick; then the action is held or the safe one takes its place, and
-//! its answer is followed when it comes.
+//! its answer is followed when it comes. That action has begun in another moment than the one it was
+//! chosen for, and is learned from as somebody else's.
 
 use crate::robot::cart::{Action, SAFE};
 
@@ -20,10 +21,17 @@ pub enum WhenLate {
 /// What the control task does after a tick.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Turn {
+    /// The action begins.
+    Began(Action),
     /// The action goes on.
     On(Action),
     /// The action is over: the percept goes to the brain, and until it answers this is done.
-    Ended(Action),
+    Ended {
+        /// What was done.
+        done: Action,
+        /// Whether it had begun later than it was due.
+        late: bool,
+    },
 }
 
 impl Turn {
@@ -31,7 +39,8 @@ impl Turn {
     #[must_use]
     pub const fn action(self) -> Action {
         match self {
-            Self::On(action) | Self::Ended(action) => action,
+            Self::Began(action) | Self::On(action) => action,
+            Self::Ended { done, .. } => done,
         }
     }
 }
@@ -46,6 +55,8 @@ pub struct Pace {
     at: u16,
     /// Whether the brain was asked and has not answered.
     asked: bool,
+    /// Whether the action began later than it was due, or will.
+    late: bool,
     missed: u32,
     /// Ticks since the brain answered, for the watchdog.
     silent: u32,
@@ -61,6 +72,7 @@ impl Pace {
             done: SAFE,
             at: 0,
             asked: false,
+            late: false,
             missed: 0,
             silent: 0,
         }
@@ -80,18 +92,25 @@ impl Pace {
         }
         if self.asked {
             self.missed = self.missed.saturating_add(1);
+            self.late = true;
             if self.when_late == WhenLate::Safe {
                 self.done = SAFE;
             }
             return Turn::On(self.done);
         }
         self.at += 1;
+        if self.at == 1 {
+            return Turn::Began(self.done);
+        }
         if self.at < self.ticks {
             return Turn::On(self.done);
         }
         self.at = 0;
         self.asked = true;
-        Turn::Ended(self.done)
+        Turn::Ended {
+            done: self.done,
+            late: core::mem::take(&mut self.late),
+        }
     }
 
     /// Ticks in which the brain was late.
