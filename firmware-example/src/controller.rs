@@ -8,9 +8,7 @@ use cla_core::som::Prototypes;
 use cla_core::word::ActionId;
 
 use crate::fingerprint::Fingerprint;
-use crate::link::{
-    Answer, Desk, Dropped, FRAME, Life, Order, Receiver, Refusal, Robot, Seal, encode,
-};
+use crate::link::{Answer, Desk, FRAME, Life, Order, Receiver, Refusal, Robot, Seal, encode};
 use crate::replay::{self, Forager};
 use crate::trace::from_bits;
 
@@ -64,6 +62,19 @@ pub trait SafeStop {
     fn stop(&mut self);
 }
 
+/// Where a brain is kept when that is ordered.
+pub trait Keep<Brain> {
+    /// Keeps it under the name of its life; the number of the generation, `None` where it could not be.
+    fn keep(&mut self, brain: &Brain, life: Life) -> Option<u32>;
+}
+
+/// A part that keeps nothing.
+impl<Brain> Keep<Brain> for () {
+    fn keep(&mut self, _: &Brain, _: Life) -> Option<u32> {
+        None
+    }
+}
+
 /// How orders are taken.
 #[derive(Clone, Copy, Debug)]
 pub struct Service {
@@ -100,11 +111,12 @@ pub fn serve<
     brain: &mut Forager<W, H, P, S, Y, B, M>,
     wire: &mut impl Wire,
     body: &mut impl SafeStop,
+    kept: &mut impl Keep<Forager<W, H, P, S, Y, B, M>>,
     service: Service,
 ) -> End {
     let mut receiver = Receiver::new(service.seal);
     let mut desk = Desk::new(service.fresh, service.patience, service.life);
-    let mut robot = Whole { brain, body };
+    let mut robot = Whole { brain, body, kept };
     let mut bytes = [0; FRAME];
     robot.body.stop();
     loop {
@@ -149,10 +161,11 @@ pub fn serve<
     }
 }
 
-/// A body and its brain.
-struct Whole<'a, Brain, Body> {
+/// A body and its brain, and where that is kept.
+struct Whole<'a, Brain, Body, Kept> {
     brain: &'a mut Brain,
     body: &'a mut Body,
+    kept: &'a mut Kept,
 }
 
 impl<
@@ -164,7 +177,8 @@ impl<
     const B: usize,
     M: Prototypes<W, H>,
     Body: SafeStop,
-> Robot for Whole<'_, Forager<W, H, P, S, Y, B, M>, Body>
+    Kept: Keep<Forager<W, H, P, S, Y, B, M>>,
+> Robot for Whole<'_, Forager<W, H, P, S, Y, B, M>, Body, Kept>
 {
     fn now(&mut self) -> u32 {
         self.body.now()
@@ -174,16 +188,18 @@ impl<
         self.body.stop();
     }
 
-    fn follow(&mut self, order: Order, dropped: &Dropped, expired: u32) -> Answer {
-        match order {
-            Order::Report => Answer::Report {
-                dropped: *dropped,
-                expired,
-                schemas: self.brain.knowledge().schemas().len() as u16,
-                knowledge: knowledge(self.brain),
-            },
-            _ => follow(order, self.brain),
-        }
+    fn follow(&mut self, order: Order) -> Answer {
+        follow(order, self.brain)
+    }
+
+    fn known(&mut self) -> (u16, u64) {
+        let schemas = self.brain.knowledge().schemas().len();
+        (schemas as u16, knowledge(self.brain))
+    }
+
+    fn save(&mut self, life: Life) -> Option<u32> {
+        self.body.stop();
+        self.kept.keep(self.brain, life)
     }
 }
 
@@ -245,7 +261,7 @@ fn follow<
         },
         Order::Act => done(brain.act(Adaptation::Reliabilities)),
         // Those are the desk's.
-        Order::Report | Order::Stop => REFUSED,
+        Order::Report | Order::Save | Order::Stop => REFUSED,
     }
 }
 

@@ -5,13 +5,13 @@
 
 use cla_core::agent::{AgentConfig, AgentError};
 use cla_core::check::ConfigError;
-use cla_core::flash::{FlashStore, ResumeError, Resumed, Saved, StoreError};
+use cla_core::flash::{ResumeError, Resumed, Saved};
 use cla_core::som::Prototypes;
 use embedded_storage::nor_flash::NorFlash;
 
 use crate::profile::{Brain, VALUES};
 use crate::replay::Forager;
-use crate::resume::names;
+use crate::shelf::{NotSaved, Shelf};
 use crate::trace;
 
 /// How often a brain is saved; what was learned since is what a power cut costs.
@@ -38,8 +38,6 @@ pub enum Cause {
     Captures,
     /// Enough was done.
     Ticks,
-    /// Somebody asked for it.
-    Command,
     /// The supply fails.
     PowerFailing,
 }
@@ -50,7 +48,6 @@ pub struct Keeper {
     policy: Policy,
     captures: u32,
     ticks: u32,
-    asked: bool,
 }
 
 impl Keeper {
@@ -61,7 +58,6 @@ impl Keeper {
             policy,
             captures: 0,
             ticks: 0,
-            asked: false,
         }
     }
 
@@ -75,11 +71,6 @@ impl Keeper {
         self.captures = self.captures.saturating_add(1);
     }
 
-    /// Somebody asks for a save.
-    pub fn ask(&mut self) {
-        self.asked = true;
-    }
-
     /// Why it is time to save; `None` while it is not. A failing supply does not wait for the policy,
     /// but is no reason to save twice.
     #[must_use]
@@ -87,8 +78,6 @@ impl Keeper {
         let enough = |count: u32, limit: u32| limit > 0 && count >= limit;
         if power_failing && self.ticks > 0 {
             Some(Cause::PowerFailing)
-        } else if self.asked {
-            Some(Cause::Command)
         } else if enough(self.captures, self.policy.captures) {
             Some(Cause::Captures)
         } else if enough(self.ticks, self.policy.ticks) {
@@ -109,14 +98,15 @@ impl Keeper {
 pub enum Event<E> {
     /// A life goes on.
     Resumed(Resumed),
-    /// There is no life to go on with, for this reason: a new one begins.
+    /// There is no life to go on with, for this reason: a new one begins. Where a brain lies there that
+    /// was refused, nothing is saved over it.
     Born(ResumeError),
     /// The brain is being saved at this tick.
     Saving(Cause, u32),
     /// It was saved.
     Saved(Saved),
     /// It was not; the life goes on.
-    Refused(StoreError<E>),
+    Refused(NotSaved<E>),
 }
 
 /// Why a life ended.
@@ -143,13 +133,13 @@ pub fn be_born(brain: &mut Brain) -> Result<(), ConfigError> {
 /// [`End`] when the brain refuses.
 pub fn live<F: NorFlash, const SLOTS: usize>(
     brain: &mut Brain,
-    store: &mut FlashStore<F, SLOTS>,
+    shelf: &mut Shelf<F, SLOTS>,
     keeper: &mut Keeper,
     end: u32,
     mut power_failing: impl FnMut() -> bool,
     mut say: impl FnMut(Event<F::Error>),
 ) -> Result<(), End> {
-    let from = match store.resume(brain, names()) {
+    let from = match shelf.resume(brain) {
         Ok(resumed) => {
             say(Event::Resumed(resumed));
             resumed.tick
@@ -170,7 +160,7 @@ pub fn live<F: NorFlash, const SLOTS: usize>(
             keeper.acted();
             if let Some(cause) = keeper.due(power_failing()) {
                 say(Event::Saving(cause, tick));
-                match store.save(brain, names(), tick) {
+                match shelf.save(brain, tick) {
                     Ok(saved) => say(Event::Saved(saved)),
                     Err(refused) => say(Event::Refused(refused)),
                 }

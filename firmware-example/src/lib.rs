@@ -16,6 +16,7 @@ pub mod meter;
 pub mod mind;
 pub mod replay;
 pub mod resume;
+pub mod shelf;
 pub mod trace;
 
 // Where the log goes, and the critical section that it needs.

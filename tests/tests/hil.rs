@@ -3,7 +3,8 @@
 //!
 //! Needs qemu-system-arm and the target thumbv7em-none-eabihf; `tests/run` gets both.
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use firmware_example::link::{
@@ -168,7 +169,8 @@ fn frames_with_a_key_are_understood_by_who_has_it() {
     };
     let program = build.build().unwrap_or_else(|error| panic!("{error}"));
     let seal = Seal::Keyed(Key::PUBLISHED);
-    let mut brain = Distant::connect(Target::M4f, &program, seal).expect("it starts");
+    let mut brain =
+        Distant::connect(Target::M4f, &program, Path::new("."), seal).expect("it starts");
     let (ends, name) = (Life::UNBORN, Life(1));
     let born = brain.ask(Order::Begin {
         seed: 5,
@@ -194,6 +196,52 @@ fn frames_with_a_key_are_understood_by_who_has_it() {
         panic!("it reports");
     };
     assert_eq!((dropped.broken, dropped.strange), (2, 0));
+}
+
+#[test]
+fn a_brain_that_is_saved_by_an_order_lives_on_after_a_reset() {
+    let build = Build {
+        features: "flash small",
+        ..Build::new(Target::M4f, "controller")
+    };
+    let program = build.build().unwrap_or_else(|error| panic!("{error}"));
+    let folder = std::env::temp_dir().join(format!("saved-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    let start = || Distant::connect(Target::M4f, &program, &folder, Seal::Checksum);
+    let report = |brain: &mut Distant| match brain.ask(Order::Report) {
+        Ok(Answer::Report {
+            schemas, knowledge, ..
+        }) => (schemas, knowledge),
+        other => panic!("{other:?}"),
+    };
+    let begin = |ends, name| Order::Begin {
+        seed: 5,
+        ends,
+        name,
+    };
+    let mut brain = start().expect("it starts");
+    let unsaved = brain.ask(Order::Save).expect("it lives");
+    assert_eq!(unsaved, Answer::Refused(Refusal::NotSaved));
+    let born = brain.ask(begin(Life::UNBORN, Life(9))).expect("it lives");
+    assert_eq!(born, Answer::Done);
+    for now in (0..8).cycle().take(600) {
+        brain.ask(Order::Choose { now }).expect("it lives");
+        let now = (now + 1) % 8;
+        let learned = brain.ask(Order::Learn { now }).expect("it lives");
+        assert_eq!(learned, Answer::Done);
+    }
+    let known = report(&mut brain);
+    assert!(known.0 > 0, "{known:?}");
+    let saved = [(); 2].map(|()| brain.ask(Order::Save).expect("it lives"));
+    assert_eq!(saved, [Answer::Saved(1), Answer::Saved(2)]);
+    drop(brain);
+    let mut brain = start().expect("it starts");
+    assert_eq!((report(&mut brain), brain.life()), (known, Life(9)));
+    let over = brain.ask(begin(Life::UNBORN, Life(10)));
+    assert_eq!(over.expect("it lives"), Answer::Refused(Refusal::OtherLife));
+    let (_, words) = brain.vanish();
+    assert!(words.contains("resumed generation 2 of life 9"), "{words}");
+    fs::remove_dir_all(&folder).expect("it was made above");
 }
 
 #[test]

@@ -4,11 +4,60 @@
 //!
 //! Wire, motors and end are those of `hal.rs`; in the emulator the body is a simulated robot
 //! (`host-sim hil`).
+//! With the feature `flash` it keeps its brain when that is ordered, and at boot the life that it finds
+//! in its flash goes on.
 //! Exit code 0 when told to stop, 3 when the other side is gone.
 
-use firmware_example::controller::serve;
+use firmware_example::controller::{Service, serve};
 use firmware_example::hal::{self, Motors, Serial};
 use firmware_example::profile::{self, Brain};
+
+/// The flash, and the life in it.
+#[cfg(feature = "flash")]
+mod kept {
+    use cla_core::flash::{FlashStore, ResumeError};
+    use firmware_example::hal::{self, Flash};
+    use firmware_example::link::Life;
+    use firmware_example::resume::{SLOT, SLOTS};
+    use firmware_example::shelf::Shelf;
+    use semihosting::eprintln;
+
+    use super::{Brain, Service};
+
+    /// Opens the flash and resumes the life that lies there, and says so; `None` when there is no flash.
+    pub(super) fn bring_back(
+        brain: &mut Brain,
+        service: Service,
+    ) -> Option<(Shelf<Flash, SLOTS>, Service)> {
+        let flash = hal::flash(SLOTS * SLOT as usize)?;
+        let mut shelf = Shelf::new(FlashStore::open(flash, 0, SLOT).ok()?);
+        let life = match shelf.resume(brain) {
+            Ok(it) => {
+                eprintln!("resumed generation {} of life {}", it.generation, it.tick);
+                Life(it.tick)
+            }
+            Err(ResumeError::Nothing) => {
+                eprintln!("nobody lives here yet");
+                Life::UNBORN
+            }
+            Err(why) => {
+                eprintln!("nothing is saved over the brain that lies here: {why}");
+                Life::UNBORN
+            }
+        };
+        Some((shelf, Service { life, ..service }))
+    }
+}
+
+/// Without flash every life begins anew.
+#[cfg(not(feature = "flash"))]
+mod kept {
+    use super::{Brain, Service};
+
+    pub(super) fn bring_back(_: &mut Brain, service: Service) -> Option<((), Service)> {
+        Some(((), service))
+    }
+}
 
 static mut BRAIN: Brain = profile::brain();
 
@@ -19,8 +68,11 @@ fn main() -> ! {
     // SAFETY: this runs once, and no interrupt touches the brain.
     #[allow(unsafe_code)]
     let brain = unsafe { &mut *brain };
+    let kept = hal::service().and_then(|service| kept::bring_back(brain, service));
     let end = Serial::open()
-        .zip(hal::service())
-        .map(|(mut serial, service)| serve(brain, &mut serial, &mut Motors::start(), service));
+        .zip(kept)
+        .map(|(mut serial, (mut kept, service))| {
+            serve(brain, &mut serial, &mut Motors::start(), &mut kept, service)
+        });
     hal::end(end)
 }

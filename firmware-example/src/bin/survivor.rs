@@ -6,11 +6,12 @@
 //! `cargo run --release --features small --bin survivor`, as often as you like; the flash is the file
 //! `flash.bin`. The test `kills` in `../../tests` kills it hundreds of times.
 
-use cla_core::flash::FlashStore;
+use cla_core::flash::{FlashStore, ResumeError};
 use firmware_example::hal;
 use firmware_example::keeper::{End, Event, Keeper, Policy, live};
 use firmware_example::profile::{self, Brain};
 use firmware_example::resume::{SLOT, SLOTS};
+use firmware_example::shelf::Shelf;
 use semihosting::{println, process};
 
 static mut BRAIN: Brain = profile::brain();
@@ -23,12 +24,12 @@ fn survive() -> Result<(), &'static str> {
     let brain = unsafe { &mut *brain };
     let flash = hal::flash(SLOTS * SLOT as usize).ok_or("there is no flash")?;
     let store = FlashStore::<_, SLOTS>::open(flash, 0, SLOT);
-    let mut store = store.map_err(|_| "the slots do not fit the flash")?;
-    println!("opened {:?}", store.counts());
+    let mut shelf = Shelf::new(store.map_err(|_| "the slots do not fit the flash")?);
+    println!("opened {:?}", shelf.counts());
     let mut keeper = Keeper::new(Policy::EMULATED);
     let lived = live(
         brain,
-        &mut store,
+        &mut shelf,
         &mut keeper,
         u32::MAX,
         hal::power_is_failing,
@@ -37,7 +38,8 @@ fn survive() -> Result<(), &'static str> {
                 "resumed generation {} tick {} slot {} bytes {}",
                 it.generation, it.tick, it.slot, it.image
             ),
-            Event::Born(why) => println!("born: {why}"),
+            Event::Born(ResumeError::Nothing) => println!("born: the flash is empty"),
+            Event::Born(why) => println!("born, and nothing is saved: {why}"),
             Event::Saving(cause, tick) => println!("saving tick {tick} cause {cause:?}"),
             Event::Saved(it) => println!(
                 "saved generation {} tick {} slot {} bytes {} erased {} written {}",

@@ -127,6 +127,8 @@ impl Caller {
         self.tries = 1;
         self.open = false;
         let nonce = self.nonces.next_seed();
+        // Another body may have moved the robot since: a stop is done when it is answered.
+        let asked = asked.filter(|_| order != Order::Stop);
         self.doing = Doing::Greeting {
             nonce,
             order,
@@ -207,12 +209,6 @@ impl Caller {
                 News::Answered(answer)
             }
             (Reply::Closed { turn }, Doing::Asking { order }) if turn == self.turn => {
-                if order == Order::Stop {
-                    // Who serves nobody stands.
-                    self.doing = Doing::Nothing;
-                    self.open = false;
-                    return News::Answered(Answer::Done);
-                }
                 News::Send(self.hello(order, Some(turn)))
             }
             _ => News::Nothing,

@@ -25,8 +25,16 @@ pub trait Robot {
     /// Brings everything that moves to rest.
     fn stop(&mut self);
 
-    /// Does what an order says; `dropped` and `expired` are for a report.
-    fn follow(&mut self, order: Order, dropped: &Dropped, expired: u32) -> Answer;
+    /// Does what an order says; never [`Order::Report`], [`Order::Save`] or [`Order::Stop`].
+    fn follow(&mut self, order: Order) -> Answer;
+
+    /// Schemas known, and a hash of all schemas with their counts and of all beliefs.
+    fn known(&mut self) -> (u16, u64);
+
+    /// Brings everything that moves to rest, because nobody looks at the clock for as long as a save
+    /// takes, and keeps the brain under the name of its life; the number of the generation, `None`
+    /// where it could not be kept.
+    fn save(&mut self, life: Life) -> Option<u32>;
 }
 
 /// The machine.
@@ -246,7 +254,12 @@ impl Desk {
                 self.close(robot);
                 return Answer::Done;
             }
-            _ => robot.follow(order, &self.dropped, self.expired),
+            Order::Save => match robot.save(self.life) {
+                Some(generation) => Answer::Saved(generation),
+                None => Answer::Refused(Refusal::NotSaved),
+            },
+            Order::Report => self.report(robot),
+            _ => robot.follow(order),
         };
         let followed = !matches!(answer, Answer::Refused(_)) && order != Order::Report;
         if followed {
@@ -258,6 +271,7 @@ impl Desk {
                 false
             }
             Order::Learn { .. } if followed => false,
+            Order::Save => false,
             Order::Choose { .. } => followed,
             _ => chosen,
         };
@@ -275,6 +289,16 @@ impl Desk {
             chosen,
         });
         answer
+    }
+
+    fn report(&self, robot: &mut impl Robot) -> Answer {
+        let (schemas, knowledge) = robot.known();
+        Answer::Report {
+            dropped: self.dropped,
+            expired: self.expired,
+            schemas,
+            knowledge,
+        }
     }
 }
 

@@ -6,8 +6,8 @@ use super::frame::Said;
 
 /// The version of what is said; both sides must speak the same.
 ///
-/// 1 had frames and orders and no handshake.
-pub const VERSION: u16 = 2;
+/// 1 had frames and orders and no handshake, 2 had no [`Order::Save`].
+pub const VERSION: u16 = 3;
 
 /// The name of a session: drawn anew by the brain's side at every handshake, so that what was said
 /// in one session means nothing in another.
@@ -154,6 +154,9 @@ pub enum Order {
     Report,
     /// Stop the robot and end the program.
     Stop,
+    /// Stop the robot and keep the brain in flash: what was chosen before is not learned from. The
+    /// session goes on.
+    Save,
 }
 
 /// What came of an order.
@@ -181,6 +184,8 @@ pub enum Answer {
         /// A hash of all schemas with their counts and of all beliefs.
         knowledge: u64,
     },
+    /// The brain is kept, as this generation.
+    Saved(u32),
 }
 
 /// Why an order was not followed.
@@ -192,6 +197,9 @@ pub enum Refusal {
     NothingChosen,
     /// Another life would end than the one that was named, or the new name is none.
     OtherLife,
+    /// The brain could not be kept: there is no flash, it refuses, what lies in it is of another
+    /// program, or nobody is born.
+    NotSaved,
 }
 
 /// Frames that were not followed.

@@ -3,8 +3,8 @@
 use arbitrary::{Arbitrary, Unstructured};
 use firmware_example::controller::{Heard, SafeStop, Service, Wire, serve};
 use firmware_example::link::{
-    Answer, Call, Desk, Dropped, FRAME, Key, Life, Order, Receiver, Reply, Robot, Said, Seal,
-    Session, Turn, VERSION, encode,
+    Answer, Call, Desk, FRAME, Key, Life, Order, Receiver, Reply, Robot, Said, Seal, Session, Turn,
+    VERSION, encode,
 };
 use host_sim::experiment::hil::disturbed::{self, Past, Tally, Written};
 
@@ -66,15 +66,17 @@ impl Robot for Noting {
         self.moving = None;
     }
 
-    fn follow(&mut self, order: Order, dropped: &Dropped, expired: u32) -> Answer {
-        if order == Order::Report {
-            return Answer::Report {
-                dropped: *dropped,
-                expired,
-                schemas: 0,
-                knowledge: 0,
-            };
-        }
+    fn known(&mut self) -> (u16, u64) {
+        (0, 0)
+    }
+
+    fn save(&mut self, life: Life) -> Option<u32> {
+        self.moving = None;
+        self.followed.push(Order::Save);
+        Some(life.0)
+    }
+
+    fn follow(&mut self, order: Order) -> Answer {
         self.moving = Some(self.now);
         self.followed.push(order);
         Answer::Done
@@ -119,7 +121,8 @@ fn order(what: u8, now: u8, life: Life) -> Order {
             action: now,
             after: 1,
         },
-        8 => Order::Report,
+        8 if now < 128 => Order::Report,
+        8 => Order::Save,
         _ if now == 255 => Order::Stop,
         _ => Order::Act,
     }
@@ -309,6 +312,7 @@ pub(super) fn controller(bytes: &[u8]) {
         life: Life::UNBORN,
         seal: Seal::Checksum,
     };
-    serve(&mut brain, &mut Tape(&tape), &mut Motors(0), service);
+    let (mut wire, mut motors) = (Tape(&tape), Motors(0));
+    serve(&mut brain, &mut wire, &mut motors, &mut (), service);
     assert_eq!(brain.audit(), cla_core::agent::Audit::Sound);
 }

@@ -1,6 +1,9 @@
 //! Frames: exact to the last byte, sealed, apart from each other.
 
-use firmware_example::link::{Call, Fault, Key, Order, Receiver, Reply, Seal, Session, Turn};
+use firmware_example::link::{
+    Answer, Call, Dropped, Fault, Key, Life, Order, Receiver, Refusal, Reply, Seal, Session, Turn,
+    VERSION,
+};
 
 use super::{frame, heard, sealed};
 
@@ -86,4 +89,90 @@ fn a_key_shuts_out_who_has_none_and_who_has_another() {
         }
     }
     assert!(!format!("{:?}", seals[1]).contains("published"));
+}
+
+/// All orders, and all replies.
+fn everything() -> (Vec<Call>, Vec<Reply>) {
+    let turn = Turn {
+        session: Session(5),
+        number: 300,
+    };
+    let (version, nonce, session) = (VERSION, 6, Session(5));
+    let orders = [
+        Order::Begin {
+            seed: 1,
+            ends: Life(2),
+            name: Life(3),
+        },
+        Order::Choose { now: 1 },
+        Order::Learn { now: 2 },
+        Order::Observe {
+            before: 3,
+            action: 4,
+            after: 5,
+        },
+        Order::SecondLevel,
+        Order::Act,
+        Order::Report,
+        Order::Stop,
+        Order::Save,
+    ];
+    let answers = [
+        Answer::Done,
+        Answer::Chosen {
+            action: 1,
+            value: 200,
+        },
+        Answer::Refused(Refusal::Brain),
+        Answer::Refused(Refusal::NothingChosen),
+        Answer::Refused(Refusal::OtherLife),
+        Answer::Refused(Refusal::NotSaved),
+        Answer::Report {
+            dropped: Dropped {
+                broken: 1,
+                oversized: 2,
+                out_of_turn: 3,
+                repeated: 4,
+                strange: 5,
+            },
+            expired: 6,
+            schemas: 7,
+            knowledge: 8,
+        },
+        Answer::Saved(9),
+    ];
+    let hello = Call::Hello {
+        version,
+        nonce,
+        after: session,
+    };
+    let calls = orders.map(|order| Call::Order { turn, order });
+    let others = [
+        Reply::OtherVersion { version, nonce },
+        Reply::Welcome {
+            nonce,
+            session,
+            life: Life(2),
+            last: turn,
+        },
+        Reply::Closed { turn },
+    ];
+    let replies = answers.map(|answer| Reply::Answer { turn, answer });
+    (
+        [hello].into_iter().chain(calls).collect(),
+        others.into_iter().chain(replies).collect(),
+    )
+}
+
+#[test]
+fn frames_that_change_are_a_new_version() {
+    let (calls, replies) = everything();
+    let frames: Vec<u8> = calls
+        .iter()
+        .map(frame)
+        .chain(replies.iter().map(frame))
+        .flatten()
+        .collect();
+    let sum = crc::Crc::<u32>::new(&crc::CRC_32_ISCSI).checksum(&frames);
+    assert_eq!((VERSION, frames.len(), sum), (3, 451, 401_196_109));
 }

@@ -49,15 +49,16 @@ impl Robot for Noting {
         self.stops += 1;
     }
 
-    fn follow(&mut self, order: Order, dropped: &Dropped, expired: u32) -> Answer {
-        if order == Order::Report {
-            return Answer::Report {
-                dropped: *dropped,
-                expired,
-                schemas: 0,
-                knowledge: 0,
-            };
-        }
+    fn known(&mut self) -> (u16, u64) {
+        (9, 77)
+    }
+
+    fn save(&mut self, life: Life) -> Option<u32> {
+        self.followed.push(Order::Save);
+        (life == Life(7)).then_some(3)
+    }
+
+    fn follow(&mut self, order: Order) -> Answer {
         self.followed.push(order);
         match order {
             Order::Choose { now } => Answer::Chosen {
@@ -217,6 +218,66 @@ fn a_reset_of_either_side_is_over_after_three_calls() {
     assert_eq!((pair.calls, pair.caller.life()), (2, Life(7)));
     // Somebody else has taken over: what the robot did for the one before is at an end.
     assert_eq!(pair.robot.stops, 1);
+}
+
+#[test]
+fn a_body_that_was_replaced_stops_the_robot_of_its_successor() {
+    let mut first = Pair::new().born();
+    assert_eq!(first.ask(CHOOSE), CHOSEN);
+    let mut second = Pair {
+        caller: Caller::new(2),
+        ..first
+    };
+    assert_eq!(second.ask(CHOOSE), CHOSEN);
+    let (stops, calls) = (second.robot.stops, second.calls);
+    assert!(second.desk.is_open());
+    let mut first = Pair {
+        caller: first.caller,
+        ..second
+    };
+    assert_eq!(first.ask(Order::Stop), News::Answered(Answer::Done));
+    assert!(first.desk.is_told() && !first.desk.is_open());
+    assert!(first.robot.stops > stops);
+    assert_eq!(first.calls - calls, 3);
+}
+
+#[test]
+fn a_stop_whose_answers_are_lost_is_given_again_until_it_is_answered() {
+    let mut pair = Pair::new().born();
+    assert_eq!(pair.ask(CHOOSE), CHOSEN);
+    let mut call = pair.caller.ask(Order::Stop);
+    for _ in 0..ATTEMPTS {
+        pair.desk.hear(call, &mut pair.robot);
+        let News::Send(next) = pair.caller.wait() else {
+            panic!("it is asked again");
+        };
+        call = next;
+    }
+    assert!(matches!(call, Call::Hello { .. }), "{call:?}");
+    let News::Send(again) = pair.carry(call) else {
+        panic!("it is given again");
+    };
+    assert_eq!(pair.carry(again), News::Answered(Answer::Done));
+}
+
+#[test]
+fn a_report_and_a_save_are_answered_by_the_desk() {
+    let mut pair = Pair::new();
+    let refused = News::Answered(Answer::Refused(Refusal::NotSaved));
+    assert_eq!(pair.ask(Order::Save), refused);
+    let mut pair = pair.born();
+    assert_eq!(pair.ask(CHOOSE), CHOSEN);
+    assert_eq!(pair.ask(Order::Save), News::Answered(Answer::Saved(3)));
+    let cut_off = News::Answered(Answer::Refused(Refusal::NothingChosen));
+    assert_eq!(pair.ask(LEARN), cut_off);
+    let report = Answer::Report {
+        dropped: Dropped::default(),
+        expired: 0,
+        schemas: 9,
+        knowledge: 77,
+    };
+    assert_eq!(pair.ask(Order::Report), News::Answered(report));
+    assert_eq!(pair.robot.followed.last(), Some(&Order::Save));
 }
 
 #[test]

@@ -1,11 +1,15 @@
 //! A controller with a brain, served from a script.
 
-use firmware_example::controller::{End, Heard, SafeStop, Service, Wire, serve};
+use cla_core::flash::{FlashStore, RamFlash};
+use cla_core::forager::small;
+use firmware_example::controller::{End, Heard, Keep, SafeStop, Service, Wire, serve};
 use firmware_example::link::{
     Answer, Call, Desk, Life, Order, Refusal, Reply, Seal, Session, Turn, VERSION,
 };
 
-use super::{CHOOSE, Noting, PATIENCE, frame};
+use firmware_example::shelf::Shelf;
+
+use super::{CHOOSE, LEARN, Noting, PATIENCE, frame};
 
 /// A wire that delivers what was written down, and pauses in between.
 struct Script {
@@ -51,7 +55,15 @@ impl SafeStop for Motors {
 
 /// What a controller for small parts answers, and how often it stops its motors.
 fn served(heard: Vec<Option<Vec<u8>>>) -> (End, u32, Vec<Answer>) {
-    let mut brain = Box::new(cla_core::forager::small::brain());
+    kept_and_served(heard, &mut ())
+}
+
+/// The same where its brain can be kept.
+fn kept_and_served(
+    heard: Vec<Option<Vec<u8>>>,
+    kept: &mut impl Keep<small::Brain>,
+) -> (End, u32, Vec<Answer>) {
+    let mut brain = Box::new(small::brain());
     let mut wire = Script {
         heard,
         said: Vec::new(),
@@ -63,7 +75,7 @@ fn served(heard: Vec<Option<Vec<u8>>>) -> (End, u32, Vec<Answer>) {
         life: Life::UNBORN,
         seal: Seal::Checksum,
     };
-    let end = serve(&mut brain, &mut wire, &mut motors, service);
+    let end = serve(&mut brain, &mut wire, &mut motors, kept, service);
     let replies = super::heard::<Reply>(&wire.said, Seal::Checksum);
     let answers = replies.into_iter().filter_map(|it| match it {
         Ok(Reply::Answer { answer, .. }) => Some(answer),
@@ -114,6 +126,33 @@ fn a_controller_stops_its_motors_at_its_beginning_at_its_end_and_when_orders_sta
             "{noise:?}"
         );
     }
+}
+
+const SLOT: u32 = 96 * 1024;
+
+fn open(bytes: &mut [u8]) -> Shelf<RamFlash<'_, 4, 4096>, 2> {
+    let flash = RamFlash::new(bytes);
+    Shelf::new(FlashStore::open(flash, 0, SLOT).expect("whole pages"))
+}
+
+#[test]
+fn a_brain_is_kept_when_that_is_ordered_and_the_robot_stands_meanwhile() {
+    let orders = [BEGIN, CHOOSE, Order::Save, LEARN, CHOOSE];
+    let mut bytes = vec![0xff; 2 * SLOT as usize];
+    let mut shelf = open(&mut bytes);
+    let mut brain = Box::new(small::brain());
+    assert!(shelf.resume(&mut *brain).is_err());
+    let (end, stops, answers) = kept_and_served(session(&orders), &mut shelf);
+    assert_eq!((end, stops), (End::HostGone, 3));
+    assert_eq!(answers[2], Answer::Saved(1));
+    // What a stop has cut off is not learned from, and the session goes on.
+    assert_eq!(answers[3], Answer::Refused(Refusal::NothingChosen));
+    assert!(matches!(answers[4], Answer::Chosen { .. }));
+    let resumed = open(&mut bytes).resume(&mut *brain).expect("it was saved");
+    assert_eq!((resumed.generation, resumed.tick), (1, 1));
+    let (_, stops, answers) = served(session(&orders));
+    assert_eq!(stops, 3);
+    assert_eq!(answers[2], Answer::Refused(Refusal::NotSaved));
 }
 
 #[test]

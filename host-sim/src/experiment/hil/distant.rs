@@ -47,7 +47,7 @@ impl Distant {
     /// # Errors
     /// [`Failure`] when there is no emulator, or the firmware does not answer.
     pub fn start(target: Target, program: &Path, seed: u64) -> Result<Self, Failure> {
-        let mut it = Self::connect(target, program, Seal::Checksum)?;
+        let mut it = Self::connect(target, program, Path::new("."), Seal::Checksum)?;
         let (ends, name) = (Life::UNBORN, Life(1));
         match it.ask(Order::Begin { seed, ends, name })? {
             Answer::Done => Ok(it),
@@ -55,13 +55,20 @@ impl Distant {
         }
     }
 
-    /// Starts a program on a board, to speak with it in frames of this seal.
+    /// Starts a program on a board, in a folder that its flash is a file of, to speak with it in frames
+    /// of this seal.
     ///
     /// # Errors
     /// [`Failure`] when there is no emulator.
-    pub fn connect(target: Target, program: &Path, seal: Seal) -> Result<Self, Failure> {
+    pub fn connect(
+        target: Target,
+        program: &Path,
+        folder: &Path,
+        seal: Seal,
+    ) -> Result<Self, Failure> {
         let mut emulator = target.emulator(program);
         emulator
+            .current_dir(folder)
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
@@ -223,6 +230,12 @@ impl Distant {
         self.child.id()
     }
 
+    /// Who lives in the controller, as far as is known.
+    #[must_use]
+    pub const fn life(&self) -> Life {
+        self.caller.life()
+    }
+
     /// Orders given so far, each answered.
     #[must_use]
     pub const fn round_trips(&self) -> u32 {
@@ -304,7 +317,10 @@ fn bits(now: &Percept) -> Result<u8, Failure> {
 
 /// Whether the answer to an order says nothing but that it was followed.
 fn is_told(order: Order) -> bool {
-    !matches!(order, Order::Choose { .. } | Order::Report | Order::Stop)
+    !matches!(
+        order,
+        Order::Choose { .. } | Order::Report | Order::Save | Order::Stop
+    )
 }
 
 fn unexpected(answer: Answer) -> Failure {

@@ -189,7 +189,8 @@ impl Body {
                 38 => Order::Report,
                 37 => Order::Act,
                 36 => Order::SecondLevel,
-                30..36 => Order::Observe {
+                35 => Order::Save,
+                30..35 => Order::Observe {
                     before: now,
                     action: 1,
                     after: 0,

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use firmware_example::link::{Answer, Dropped, Life, Order, Outcome, Robot, Session, Turn};
+use firmware_example::link::{Answer, Life, Order, Outcome, Robot, Session, Turn};
 
 /// Milliseconds that the robot may go on without an order.
 pub const PATIENCE: u32 = 100;
@@ -119,6 +119,24 @@ impl Witness {
             && !self.over.contains(&turn.session)
             && named
     }
+
+    /// An order is followed.
+    fn obey(&mut self, order: Order) {
+        let turn = self.hearing;
+        self.wrong += u64::from(!self.may(turn, order));
+        self.followed += 1;
+        self.session = Some(turn.session);
+        if let Some(given) = self.given.get_mut(&turn) {
+            given.followed = true;
+        }
+    }
+
+    fn stand(&mut self) {
+        if let Some(since) = self.moving.take() {
+            self.stops += 1;
+            self.longest = self.longest.max(self.now.wrapping_sub(since));
+        }
+    }
 }
 
 impl Robot for Witness {
@@ -127,35 +145,32 @@ impl Robot for Witness {
     }
 
     fn stop(&mut self) {
-        if let Some(since) = self.moving.take() {
-            self.stops += 1;
-            self.longest = self.longest.max(self.now.wrapping_sub(since));
-        }
+        self.stand();
         self.over.extend(self.session.take());
     }
 
-    fn follow(&mut self, order: Order, dropped: &Dropped, expired: u32) -> Answer {
-        const REFUSED: Answer = Answer::Refused(firmware_example::link::Refusal::Brain);
-        if order == Order::Report {
-            return Answer::Report {
-                dropped: *dropped,
-                expired,
-                schemas: 0,
-                knowledge: 0,
-            };
+    fn known(&mut self) -> (u16, u64) {
+        (0, 0)
+    }
+
+    fn save(&mut self, life: Life) -> Option<u32> {
+        if self.life == Life::UNBORN {
+            return None;
         }
+        self.wrong += u64::from(life != self.life);
+        self.obey(Order::Save);
+        self.stand();
+        Some(self.followed as u32)
+    }
+
+    fn follow(&mut self, order: Order) -> Answer {
+        const REFUSED: Answer = Answer::Refused(firmware_example::link::Refusal::Brain);
         // As a brain that was not born.
         if self.life == Life::UNBORN && !matches!(order, Order::Begin { .. }) {
             return REFUSED;
         }
-        let turn = self.hearing;
-        self.wrong += u64::from(!self.may(turn, order));
-        self.followed += 1;
+        self.obey(order);
         self.moving = Some(self.now);
-        self.session = Some(turn.session);
-        if let Some(given) = self.given.get_mut(&turn) {
-            given.followed = true;
-        }
         match order {
             Order::Begin { name, .. } => {
                 self.life = name;
