@@ -7,10 +7,10 @@ use cla_core::flash::{FlashStore, FlashTiming, LayoutError};
 use host_sim::device::flash::cuts::{Cuts, History, on_every_shape, pages_of_slot};
 use host_sim::device::flash::decay::{rot, wear_out};
 use host_sim::device::flash::fake::FakeFlash;
-use host_sim::device::flash::toy::{Age, ages, image, names, robot};
+use host_sim::device::flash::toy::{Age, Brain, SmallMind, Toy, ages, image, names, robot};
 
-fn some() -> Vec<Age> {
-    let ages = ages(5).expect("the toy lives");
+fn some<B: Toy>() -> Vec<Age<B>> {
+    let ages = ages::<B>(5, 3).expect("the toy lives");
     for (index, (_, image)) in ages.iter().enumerate() {
         assert!(image.len() > 1_500, "{}", image.len());
         assert!(ages[..index].iter().all(|(_, other)| other != image));
@@ -19,7 +19,7 @@ fn some() -> Vec<Age> {
 }
 
 /// All of them survived.
-fn on_all_shapes(ages: &[Age], history: History) -> Cuts {
+fn on_all_shapes<B: Toy>(ages: &[Age<B>], history: History) -> Cuts {
     let mut cuts = Cuts::default();
     let runs = on_every_shape(ages, history).expect("the slots are large enough");
     for (shape, run) in runs {
@@ -34,7 +34,7 @@ fn on_all_shapes(ages: &[Age], history: History) -> Cuts {
 fn no_committed_generation_is_lost_wherever_the_power_is_cut() {
     let least = std::env::var("CLA_CUTS").ok();
     let least: u64 = least.map_or(20_000, |it| it.parse().expect("CLA_CUTS is a number"));
-    let ages = some();
+    let (agents, minds) = (some::<Brain>(), some::<SmallMind>());
     let mut cuts = Cuts::default();
     let mut seed = 0;
     while cuts.points < least {
@@ -44,7 +44,8 @@ fn no_committed_generation_is_lost_wherever_the_power_is_cut() {
             corrects_errors: seed % 2 == 1,
             again_after: 7,
         };
-        cuts.add(&on_all_shapes(&ages, history));
+        cuts.add(&on_all_shapes(&agents, history));
+        cuts.add(&on_all_shapes(&minds, history));
         seed += 1;
     }
     println!("{cuts:?}");
@@ -53,7 +54,7 @@ fn no_committed_generation_is_lost_wherever_the_power_is_cut() {
 
 #[test]
 fn rotten_bits_cost_generations_and_never_give_another_brain() {
-    let ages = some();
+    let ages = some::<Brain>();
     let two = rot::<4, 512, 2>(&ages, 2_000, 1).expect("it fits");
     let four = rot::<16, 256, 4>(&ages, 2_000, 2).expect("it fits");
     println!("{two:?} {four:?}");
@@ -67,7 +68,7 @@ fn rotten_bits_cost_generations_and_never_give_another_brain() {
 
 #[test]
 fn a_flash_that_wears_out_is_used_evenly_and_keeps_its_last_generation() {
-    let ages = some();
+    let ages = some::<Brain>();
     let two = wear_out::<4, 512, 2>(&ages, 40, 1).expect("it fits");
     let four = wear_out::<8, 1024, 4>(&ages, 40, 1).expect("it fits");
     println!("{two:?} {four:?}");
@@ -82,7 +83,7 @@ fn a_flash_that_wears_out_is_used_evenly_and_keeps_its_last_generation() {
 
 #[test]
 fn what_a_save_costs_is_known_before_it() {
-    let ages = some();
+    let ages = some::<Brain>();
     let mut flash = FakeFlash::<4, 1024>::new(12, 1);
     flash.reboot(1);
     let mut store = FlashStore::<_, 3>::open(flash, 0, 4096).expect("whole pages");
@@ -106,7 +107,7 @@ fn what_a_save_costs_is_known_before_it() {
 
 #[test]
 fn pages_that_were_erased_ahead_are_not_erased_again() {
-    let ages = some();
+    let ages = some::<Brain>();
     let flash = FakeFlash::<4, 1024>::new(8, 1);
     let mut store = FlashStore::<_, 2>::open(flash, 0, 4096).expect("whole pages");
     let (brain, _) = &ages[0];
@@ -131,7 +132,7 @@ fn pages_that_were_erased_ahead_are_not_erased_again() {
 #[test]
 fn what_does_not_fit_is_refused_before_anything_is_erased() {
     use cla_core::flash::{ResumeError, StoreError};
-    let ages = some();
+    let ages = some::<Brain>();
     let open = |start, bytes| {
         let flash = FakeFlash::<4, 512>::new(8, 1);
         FlashStore::<_, 2>::open(flash, start, bytes).map(FlashStore::release)
@@ -169,7 +170,7 @@ fn what_does_not_fit_is_refused_before_anything_is_erased() {
 
 #[test]
 fn a_rotten_generation_is_written_over_before_a_whole_one() {
-    let ages = some();
+    let ages = some::<Brain>();
     let mut flash = FakeFlash::<4, 1024>::new(8, 1);
     for (tick, (brain, _)) in ages.iter().enumerate().take(2) {
         let mut store = FlashStore::<_, 2>::open(flash, 0, 4096).expect("whole pages");

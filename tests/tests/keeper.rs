@@ -80,7 +80,7 @@ fn a_life_is_saved_and_goes_on() {
 #[test]
 fn a_brain_of_another_program_is_never_written_over() {
     let mut bytes = vec![0xff; 2 * SLOT as usize];
-    let ages = toy::ages(1).expect("the toy lives");
+    let ages = toy::ages::<toy::Brain>(1, 3).expect("the toy lives");
     let (brain, image) = &ages[0];
     let mut store = open(&mut bytes);
     store.save(&**brain, toy::names(), 77).expect("a save");

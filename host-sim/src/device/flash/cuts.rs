@@ -9,7 +9,7 @@ use cla_core::flash::{FlashStore, LayoutError};
 use cla_core::num::Rng;
 
 use super::fake::{Cut, FakeFlash, Torn};
-use super::toy::{Age, Brain, image, names, robot};
+use super::toy::{Age, Toy, image, names};
 
 /// What is tried.
 #[derive(Clone, Copy, Debug)]
@@ -28,8 +28,11 @@ pub struct History {
 /// What came of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cuts {
-    /// Distinct moments at which the power went.
+    /// Moments at which the power went.
     pub points: u64,
+    /// Those of them within a save of the history, no two of which are the same place and degree in
+    /// writing the same image. A history that saves an age twice counts that once.
+    pub distinct: u64,
     /// Those of them that fell into a recovery or the save after it.
     pub again: u64,
     /// Committed generations that were not there afterwards.
@@ -50,6 +53,7 @@ impl Cuts {
     /// Adds those of another history.
     pub fn add(&mut self, other: &Self) {
         self.points += other.points;
+        self.distinct += other.distinct;
         self.again += other.again;
         self.lost += other.lost;
         self.wrong += other.wrong;
@@ -71,19 +75,28 @@ impl Cuts {
 ///
 /// # Errors
 /// [`LayoutError`] when an image does not fit.
-pub fn on_every_shape(
-    ages: &[Age],
+pub fn on_every_shape<B: Toy>(
+    ages: &[Age<B>],
     history: History,
 ) -> Result<[(&'static str, Cuts); 6], LayoutError> {
     Ok([
-        ("1, 64, 2", cut_everywhere::<1, 64, 2>(ages, history)?),
-        ("4, 4096, 2", cut_everywhere::<4, 4096, 2>(ages, history)?),
-        ("8, 512, 3", cut_everywhere::<8, 512, 3>(ages, history)?),
-        ("16, 256, 4", cut_everywhere::<16, 256, 4>(ages, history)?),
-        ("32, 1024, 2", cut_everywhere::<32, 1024, 2>(ages, history)?),
+        ("1, 64, 2", cut_everywhere::<B, 1, 64, 2>(ages, history)?),
+        (
+            "4, 4096, 2",
+            cut_everywhere::<B, 4, 4096, 2>(ages, history)?,
+        ),
+        ("8, 512, 3", cut_everywhere::<B, 8, 512, 3>(ages, history)?),
+        (
+            "16, 256, 4",
+            cut_everywhere::<B, 16, 256, 4>(ages, history)?,
+        ),
+        (
+            "32, 1024, 2",
+            cut_everywhere::<B, 32, 1024, 2>(ages, history)?,
+        ),
         (
             "256, 4096, 2",
-            cut_everywhere::<256, 4096, 2>(ages, history)?,
+            cut_everywhere::<B, 256, 4096, 2>(ages, history)?,
         ),
     ])
 }
@@ -100,18 +113,18 @@ struct State<const W: usize, const P: usize> {
     saved: Vec<usize>,
 }
 
-struct Trial<'a, const W: usize, const P: usize, const N: usize> {
-    ages: &'a [Age],
+struct Trial<'a, B, const W: usize, const P: usize, const N: usize> {
+    ages: &'a [Age<B>],
     slot: u32,
     history: History,
     rng: Rng,
-    scratch: Box<Brain>,
+    scratch: Box<B>,
     cuts: Cuts,
 }
 
 /// Pages that a slot must have for the images of these ages.
 #[must_use]
-pub fn pages_of_slot(word: usize, page: usize, ages: &[Age]) -> usize {
+pub fn pages_of_slot<B>(word: usize, page: usize, ages: &[Age<B>]) -> usize {
     let longest = ages.iter().map(|(_, image)| image.len()).max().unwrap_or(0);
     let records = (7 * word.max(32)).next_multiple_of(256);
     (records + longest.next_multiple_of(word)).div_ceil(page)
@@ -121,8 +134,8 @@ pub fn pages_of_slot(word: usize, page: usize, ages: &[Age]) -> usize {
 ///
 /// # Errors
 /// [`LayoutError`] when an image does not fit.
-pub fn cut_everywhere<const W: usize, const P: usize, const N: usize>(
-    ages: &[Age],
+pub fn cut_everywhere<B: Toy, const W: usize, const P: usize, const N: usize>(
+    ages: &[Age<B>],
     history: History,
 ) -> Result<Cuts, LayoutError> {
     let pages = pages_of_slot(W, P, ages);
@@ -130,12 +143,12 @@ pub fn cut_everywhere<const W: usize, const P: usize, const N: usize>(
     if history.corrects_errors {
         flash = flash.with_error_correction();
     }
-    let mut trial = Trial::<W, P, N> {
+    let mut trial = Trial::<B, W, P, N> {
         ages,
         slot: (pages * P) as u32,
         history,
         rng: Rng::new(history.seed ^ 0x5EED),
-        scratch: Box::new(robot::brain()),
+        scratch: B::empty(),
         cuts: Cuts::default(),
     };
     let mut state = State {
@@ -156,6 +169,7 @@ pub fn cut_everywhere<const W: usize, const P: usize, const N: usize>(
                 };
                 let (torn, _) = trial.saved(&state, age, seed, Some(cut))?;
                 trial.cuts.points += 1;
+                trial.cuts.distinct += u64::from(save < ages.len());
                 trial.recovers(torn)?;
             }
         }
@@ -174,7 +188,7 @@ fn moments(parts: u32) -> Vec<(u32, Torn)> {
     places.into_iter().flat_map(each).collect()
 }
 
-impl<const W: usize, const P: usize, const N: usize> Trial<'_, W, P, N> {
+impl<B: Toy, const W: usize, const P: usize, const N: usize> Trial<'_, B, W, P, N> {
     fn open(&mut self, mut flash: FakeFlash<W, P>) -> Result<Store<W, P, N>, LayoutError> {
         flash.reboot(self.rng.next_seed());
         Store::open(flash, 0, self.slot)

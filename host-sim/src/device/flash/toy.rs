@@ -1,9 +1,10 @@
-//! A brain with an image of some kilobytes, and what it lives through.
+//! Brains with images of some kilobytes, and what they live through.
 
-use cla_core::AgentConfig;
+use cla_core::forest::Mind;
 use cla_core::num::Rng;
 use cla_core::snapshot::{Names, Snapshot};
-use cla_core::word::{ItemId, ItemStates};
+use cla_core::word::{ActionId, ItemId, ItemStates};
+use cla_core::{AgentConfig, MindConfig};
 
 use crate::failure::Failure;
 use crate::learner::image::image_of;
@@ -25,27 +26,95 @@ cla_core::brain! {
 
 pub use robot::Brain;
 
-/// A brain at some age, and its image.
-pub type Age = (Box<Brain>, Vec<u8>);
+/// The one learner for the same robot, with room for 96 samples.
+pub type SmallMind = Mind<1, 4, 3, 8, 12, 32, 48, 96>;
 
-/// Some lives of the brain at different ages, with their images; each image is another.
+/// A brain that can be saved at some age.
+pub trait Toy: Snapshot + Clone {
+    /// One that is not born, for a load.
+    fn empty() -> Box<Self>;
+
+    /// One that is born.
+    ///
+    /// # Errors
+    /// When the brain refuses, which it does not.
+    fn born(seed: u64) -> Result<Box<Self>, Failure>;
+
+    /// Chooses.
+    ///
+    /// # Errors
+    /// When the brain refuses, which it does not.
+    fn chosen(&mut self, now: &ItemStates<1>) -> Result<ActionId, Failure>;
+
+    /// Learns what that led to.
+    ///
+    /// # Errors
+    /// When the brain refuses, which it does not.
+    fn learned(&mut self, now: &ItemStates<1>) -> Result<(), Failure>;
+}
+
+impl Toy for Brain {
+    fn empty() -> Box<Self> {
+        Box::new(robot::brain())
+    }
+
+    fn born(seed: u64) -> Result<Box<Self>, Failure> {
+        let mut brain = Self::empty();
+        robot::be_born(&mut brain, AgentConfig::FORAGER_LEVEL2, seed)?;
+        Ok(brain)
+    }
+
+    fn chosen(&mut self, now: &ItemStates<1>) -> Result<ActionId, Failure> {
+        Ok(self.choose(now)?.action)
+    }
+
+    fn learned(&mut self, now: &ItemStates<1>) -> Result<(), Failure> {
+        self.learn(now)?;
+        Ok(())
+    }
+}
+
+impl Toy for SmallMind {
+    fn empty() -> Box<Self> {
+        Box::new(Self::new())
+    }
+
+    fn born(seed: u64) -> Result<Box<Self>, Failure> {
+        let mut brain = Self::empty();
+        brain.be_born(MindConfig::DEFAULT, [0.0, 0.0, 0.0, 10.0], seed)?;
+        Ok(brain)
+    }
+
+    fn chosen(&mut self, now: &ItemStates<1>) -> Result<ActionId, Failure> {
+        Ok(self.choose(now)?.action)
+    }
+
+    fn learned(&mut self, now: &ItemStates<1>) -> Result<(), Failure> {
+        self.learn(now)?;
+        Ok(())
+    }
+}
+
+/// A brain at some age, and its image.
+pub type Age<B = Brain> = (Box<B>, Vec<u8>);
+
+/// A life at different ages, with its images; each image is another, and so are those of each seed.
 ///
 /// # Errors
 /// When the brain refuses, which it does not.
-pub fn ages(number: usize) -> Result<Vec<Age>, Failure> {
-    let mut brain = Box::new(robot::brain());
-    robot::be_born(&mut brain, AgentConfig::FORAGER_LEVEL2, 3)?;
-    let mut rng = Rng::new(7);
+pub fn ages<B: Toy>(number: usize, seed: u64) -> Result<Vec<Age<B>>, Failure> {
+    let mut brain = B::born(seed)?;
+    let mut rng = Rng::stream(seed, 7);
     let mut now = percept(&mut rng);
     let mut ages = Vec::new();
     for age in 0..number {
-        for _ in 0..30 + 40 * age {
-            let choice = brain.choose(&now)?;
+        for _ in 0..30 + 40 * age as u32 + rng.below(40) {
+            let action = brain.chosen(&now)?;
             now = percept(&mut rng);
-            let there = choice.action.0 == 1 && rng.chance(0.5);
+            let there = action.0 == 1 && rng.chance(0.5);
             // What a set of four items holds.
             let _ = now.set(ItemId(3), Some(there));
-            brain.learn(&now)?;
+            brain.learned(&now)?;
         }
         let image = image(&*brain);
         ages.push((brain.clone(), image));

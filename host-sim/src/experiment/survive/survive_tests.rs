@@ -60,28 +60,30 @@ fn an_interrupted_run_is_judged_by_the_parts_that_all_its_seeds_have() {
 }
 
 #[test]
-fn a_long_life_is_run_when_it_is_named_and_its_claims_are_not_declared() {
-    let options = SurviveOptions {
-        shorter: Scale(200),
-        ..SurviveOptions::new(vec![3, 4], &["long_life".into()]).unwrap()
+fn slow_parts_are_run_when_they_are_named_or_all_are() {
+    let named = |names: &[&str]| {
+        let names: Vec<String> = names.iter().map(|&it| it.into()).collect();
+        let options = SurviveOptions::new(vec![3], &names);
+        options.map(|it| it.parts.iter().map(|part| part.name).collect::<Vec<_>>())
     };
-    let summary = judged_again::<Survive>(&options).unwrap().summary;
-    assert_eq!(
-        summary
-            .find("survive.long_life.unsound")
-            .unwrap()
-            .ours
-            .value,
-        Some(0.0)
-    );
-    let lamp = summary.find("survive.long_life.lamp.mind").unwrap();
-    assert_eq!(lamp.ours.n, 2);
-    assert!(lamp.ours.value.is_some_and(|it| (0.0..=1.0).contains(&it)));
-    assert!(
-        declared()
-            .iter()
-            .all(|it| !it.id.starts_with("survive.long_life"))
-    );
-    let all = SurviveOptions::new(vec![3], &["all".into()]).unwrap();
-    assert_eq!(all.parts, SurviveOptions::standard(vec![3]).parts);
+    let quick = named(&[]).unwrap();
+    assert_eq!(quick, ["bit_flip", "resume", "power_cut", "wire"]);
+    assert_eq!(named(&["long_life"]).unwrap(), ["long_life"]);
+    assert!(named(&["moon"]).is_err());
+}
+
+#[test]
+fn a_learner_that_is_refused_ends_its_life_and_one_that_was_lost_goes_on() {
+    let options = SurviveOptions {
+        shorter: Scale(10),
+        ..SurviveOptions::new(vec![3], &["ram_flips".into()]).unwrap()
+    };
+    let trial = &trials::<Survive>(&options, &Progress::hidden()).unwrap()[0];
+    let of = |name: &str| trial.measured[&format!("ram_flips.{name}")][0];
+    // So many flips that brains are lost, and lives go on.
+    let lost = ["agent", "mind"].map(|name| of(&format!("{name}.scrubbed.10x4.lost")));
+    assert!(lost[0] + lost[1] > 0.0, "{lost:?}");
+    for name in ["agent", "mind"] {
+        assert_eq!(of(&format!("{name}.scrubbed.10x4.ended")), 0.0, "{name}");
+    }
 }

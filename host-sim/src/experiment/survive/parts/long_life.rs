@@ -205,5 +205,6 @@ fn best_block(trials: &[Trial], life: &str) -> f64 {
 fn worst_blocks(trials: &[Trial], life: &str) -> Vec<f64> {
     let best = best_block(trials, life);
     let worst = |it: &Trial| it.several(life).iter().copied().fold(f64::NAN, f64::min);
-    trials.iter().map(|it| worst(it) / best).collect()
+    // Who earned nothing kept no share of anything.
+    trials.iter().map(|it| worst(it) / best.max(1.0)).collect()
 }

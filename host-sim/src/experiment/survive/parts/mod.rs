@@ -6,6 +6,7 @@ mod long_life;
 mod power_cut;
 mod ram_flips;
 mod resume;
+mod wire;
 
 use super::part::Part;
 
@@ -16,7 +17,6 @@ pub(super) const ALL: &[Part] = &[
     power_cut::PART,
     kill::PART,
     ram_flips::PART,
+    wire::PART,
+    long_life::PART,
 ];
-
-/// Those whose claims are not committed yet: they are run only when they are named.
-pub(super) const UNCLAIMED: &[Part] = &[long_life::PART];

@@ -3,7 +3,7 @@
 
 use super::super::part::{Part, Scale, never, tried};
 use crate::device::flash::cuts::{Cuts, History, on_every_shape};
-use crate::device::flash::toy::ages;
+use crate::device::flash::toy::{Brain, SmallMind, Toy, ages};
 use crate::experiment::measured::{Trial, of};
 use crate::failure::Failure;
 use crate::report::Claim;
@@ -20,8 +20,28 @@ pub(crate) const PART: Part = Part {
 const SAVES: u32 = 6;
 
 fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
-    let ages = ages(5)?;
     let mut cuts = Cuts::default();
+    of_brain::<Brain>(scale, seed, &mut cuts)?;
+    of_brain::<SmallMind>(scale, seed, &mut cuts)?;
+    for (name, number) in [
+        ("points", cuts.points),
+        ("distinct", cuts.distinct),
+        ("again", cuts.again),
+        ("lost", cuts.lost),
+        ("wrong", cuts.wrong),
+        ("regressed", cuts.regressed),
+        ("refused", cuts.refused),
+        ("violations", cuts.violations),
+        ("sealed_anew", cuts.sealed_anew),
+    ] {
+        trial.note(format!("power_cut.{name}"), number as u32);
+    }
+    Ok(())
+}
+
+/// A life of the seed, saved at its ages into each shape of flash.
+fn of_brain<B: Toy>(scale: Scale, seed: u64, cuts: &mut Cuts) -> Result<(), Failure> {
+    let ages = ages::<B>(5, seed)?;
     for corrects_errors in [false, true] {
         let history = History {
             saves: scale.of(SAVES) as usize,
@@ -32,18 +52,6 @@ fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
         for (_, more) in on_every_shape(&ages, history)? {
             cuts.add(&more);
         }
-    }
-    for (name, number) in [
-        ("points", cuts.points),
-        ("again", cuts.again),
-        ("lost", cuts.lost),
-        ("wrong", cuts.wrong),
-        ("regressed", cuts.regressed),
-        ("refused", cuts.refused),
-        ("violations", cuts.violations),
-        ("sealed_anew", cuts.sealed_anew),
-    ] {
-        trial.note(format!("power_cut.{name}"), number as u32);
     }
     Ok(())
 }
@@ -76,6 +84,7 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
             &sums(&of("refused"), &of("violations")),
         ),
         tried("power_cut.points", "cuts", 100_000.0, &of("points")),
+        tried("power_cut.distinct", "cuts", 100_000.0, &of("distinct")),
         tried("power_cut.again", "cuts", 30_000.0, &of("again")),
     ]
 }

@@ -5,6 +5,8 @@
 //! through before every call, and of one that is sealed after every call and checked before the next.
 //! What cannot be mended goes on from the last image, which is made every few hundred actions.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::small;
 use cla_core::forest::MindConfig;
@@ -39,10 +41,48 @@ const ACTING: u32 = 1000;
 const LIVES: u64 = 5;
 /// Actions between two images.
 const SAVED_EVERY: u32 = 250;
-/// A bit turns once in so many actions.
-const EVERY: [u32; 2] = [100, 10];
+/// How often bits turn, and how many at once; the last is more than a seal can turn back.
+const HITS: [Hits; 3] = [
+    Hits {
+        name: "100",
+        every: 100,
+        at_once: 1,
+        least: Some(0.97),
+    },
+    Hits {
+        name: "10",
+        every: 10,
+        at_once: 1,
+        least: Some(0.9),
+    },
+    Hits {
+        name: "10x4",
+        every: 10,
+        at_once: 4,
+        least: None,
+    },
+];
 /// Sums of the largest seal.
 const SUMS: usize = 1024;
+
+/// How a memory is hit.
+#[derive(Clone, Copy, Debug)]
+struct Hits {
+    name: &'static str,
+    /// Once in so many actions; 0 is never.
+    every: u32,
+    at_once: u32,
+    /// Of the undisturbed captures what is asked of a brain that is scrubbed.
+    least: Option<f64>,
+}
+
+/// No hit at all.
+const UNDISTURBED: Hits = Hits {
+    name: "undisturbed",
+    every: 0,
+    at_once: 0,
+    least: None,
+};
 
 /// Who looks after a brain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,13 +138,16 @@ struct Counts {
     mended: u32,
     lost: u32,
     not_finite: u32,
+    panicked: u32,
 }
 
 /// A learner that is hit, and who looks after it.
 struct Hit<L> {
     learner: L,
     care: Care,
-    every: u32,
+    hits: Hits,
+    /// Whether its brain was lost since the last choice.
+    lost: bool,
     actions: u32,
     rng: Rng,
     scrub: Scrub<SUMS>,
@@ -128,6 +171,7 @@ impl<L: Exposed> Hit<L> {
             Audit::Mended(_) => self.counts.mended += 1,
             Audit::Lost(_) => {
                 self.counts.lost += 1;
+                self.lost = true;
                 self.learner.go_on_from(names(), &self.image)?;
             }
         }
@@ -146,6 +190,7 @@ impl<L: Exposed> Hit<L> {
 impl<L: Exposed> Learner for Hit<L> {
     fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
         self.before()?;
+        self.lost = false;
         if self.care != Care::Nobody && self.actions.is_multiple_of(SAVED_EVERY) {
             let image = self.learner.image(names())?;
             self.image = image.ok_or("a brain has an image")?;
@@ -155,10 +200,12 @@ impl<L: Exposed> Learner for Hit<L> {
         self.counts.not_finite += u32::from(!value.is_finite());
         self.after()?;
         self.actions += 1;
-        if self.every > 0 && self.actions.is_multiple_of(self.every) {
+        if self.hits.every > 0 && self.actions.is_multiple_of(self.hits.every) {
             let bits = faults::bits(self.learner.memory());
-            faults::flip(self.learner.memory(), self.rng.below(bits));
-            self.counts.flips += 1;
+            for _ in 0..self.hits.at_once {
+                faults::flip(self.learner.memory(), self.rng.below(bits));
+                self.counts.flips += 1;
+            }
         }
         Ok(chosen)
     }
@@ -168,10 +215,7 @@ impl<L: Exposed> Learner for Hit<L> {
         let learned = self.learner.learn(now);
         self.after()?;
         // Who lost what it had chosen has nothing to learn from; that is no end.
-        match self.care {
-            Care::Nobody => learned,
-            Care::Audit | Care::Scrub => Ok(()),
-        }
+        if self.lost { Ok(()) } else { learned }
     }
 
     fn observe(&mut self, before: &Percept, action: usize, after: &Percept) -> Result<(), Failure> {
@@ -213,11 +257,12 @@ fn lives<L: Exposed>(
     live(&mut learner, &mut room, scale.of(TRAINING))?;
     learner.act()?;
     let acting = scale.of(ACTING);
-    let life = |care, every, number| -> Result<(u32, Counts, bool), Failure> {
+    let life = |care, hits, number| -> Result<(u32, Counts, bool), Failure> {
         let mut hit = Hit {
             learner: learner.clone(),
             care,
-            every,
+            hits,
+            lost: false,
             actions: 0,
             rng: Rng::stream(seed, 75 + number),
             scrub: Scrub::new(),
@@ -225,95 +270,133 @@ fn lives<L: Exposed>(
             counts: Counts::default(),
         };
         let mut room = Pioneer::new(PioneerConfig::NOISY, seed + 1000 * (number + 1))?;
-        let ended = live(&mut hit, &mut room, acting).is_err();
-        Ok((room.obtained(), hit.counts, ended))
+        // What it has counted is read after a panic, and nothing else.
+        let life = AssertUnwindSafe(|| live(&mut hit, &mut room, acting).is_err());
+        let ended = catch_unwind(life);
+        hit.counts.panicked = u32::from(ended.is_err());
+        Ok((room.obtained(), hit.counts, ended.unwrap_or(true)))
     };
     let mut undisturbed = 0;
     for number in 0..LIVES {
-        undisturbed += life(Care::Nobody, 0, number)?.0;
+        undisturbed += life(Care::Nobody, UNDISTURBED, number)?.0;
     }
     trial.note(format!("ram_flips.{name}.undisturbed"), undisturbed);
-    for every in EVERY {
+    for hits in HITS {
         for (how, care) in CARES {
-            let mut sums = [0; 6];
+            let mut sums = [0; 7];
             for number in 0..LIVES {
-                let (captures, counts, ended) = life(care, every, number)?;
+                let (captures, counts, ended) = life(care, hits, number)?;
                 let of_life = [
                     captures,
                     counts.flips,
                     counts.mended,
                     counts.lost,
                     counts.not_finite,
+                    counts.panicked,
                     u32::from(ended),
                 ];
                 sums.iter_mut()
                     .zip(of_life)
                     .for_each(|(sum, it)| *sum += it);
             }
-            let what = ["captures", "flips", "mended", "lost", "not_finite", "ended"];
+            let what = [
+                "captures",
+                "flips",
+                "mended",
+                "lost",
+                "not_finite",
+                "panicked",
+                "ended",
+            ];
             for (what, sum) in what.into_iter().zip(sums) {
-                trial.note(format!("ram_flips.{name}.{how}.{every}.{what}"), sum);
+                let hits = hits.name;
+                trial.note(format!("ram_flips.{name}.{how}.{hits}.{what}"), sum);
             }
         }
     }
     Ok(())
 }
 
-/// All numbers of an ending of what was measured under this care, seed by seed.
-fn all(trials: &[Trial], care: &str, what: &str) -> Vec<f64> {
+/// The sums of what was measured under this care of an agent and a mind, seed by seed, with one flip
+/// at a time or with several.
+fn sums(trials: &[Trial], care: &str, several: bool, what: &str) -> Vec<f64> {
     let mut sums = vec![0.0; trials.len()];
     for name in ["agent", "mind"] {
-        for every in EVERY {
-            let more = of(trials, &format!("ram_flips.{name}.{care}.{every}.{what}"));
+        for hits in HITS.iter().filter(|it| (it.at_once > 1) == several) {
+            let hits = hits.name;
+            let more = of(trials, &format!("ram_flips.{name}.{care}.{hits}.{what}"));
             sums.iter_mut().zip(more).for_each(|(sum, it)| *sum += it);
         }
     }
     sums
 }
 
-fn claims(trials: &[Trial]) -> Vec<Claim> {
-    let with_care = |what| -> Vec<f64> {
-        let (audited, scrubbed) = (all(trials, "audited", what), all(trials, "scrubbed", what));
-        audited
-            .iter()
-            .zip(scrubbed)
-            .map(|(one, two)| one + two)
-            .collect()
+/// What is claimed of all brains under a care, whatever else is done for them.
+fn of_care(trials: &[Trial], care: &str) -> Vec<Claim> {
+    let one = |what| sums(trials, care, false, what);
+    let id = format!("ram_flips.{care}");
+    let rule = match care {
+        "unguarded" => Rule::Measured,
+        _ => Rule::every_seed(Bound::AtMost(0.0)),
     };
-    let mut claims = vec![
+    vec![
         never(
-            "ram_flips",
+            &id,
             "choices",
-            "choices of a value that is no finite number, of an agent and a mind that are audited or \
-             scrubbed, at one flip in 100 and in 10 actions",
-            &with_care("not_finite"),
+            "choices of a value that is no finite number, of an agent and a mind, at one flip in 100 and \
+             in 10 actions",
+            &one("not_finite"),
         ),
         never(
-            "ram_flips.ended",
+            &format!("{id}.panics"),
             "lives",
-            "lives of these that ended before their time",
-            &with_care("ended"),
+            "of twenty lives those that panicked; a hang would have kept the run from its end",
+            &one("panicked"),
         ),
-        tried("ram_flips.flips", "bits", 10_000.0, &with_care("flips")),
-    ];
+        claim(&format!("{id}.ended"), "lives")
+            .rule(rule)
+            .note("lives that ended because a call was refused, but for learning after a loss")
+            .judge(&one("ended")),
+        tried(&format!("{id}.flips"), "bits", 5_000.0, &one("flips")),
+    ]
+}
+
+/// Captures as a share of the undisturbed ones, seed by seed.
+fn shares(trials: &[Trial], name: &str, care: &str, hits: &str) -> Vec<f64> {
+    let undisturbed = of(trials, &format!("ram_flips.{name}.undisturbed"));
+    let captures = of(trials, &format!("ram_flips.{name}.{care}.{hits}.captures"));
+    let pairs = captures.iter().zip(undisturbed);
+    pairs.map(|(some, all)| some / all.max(1.0)).collect()
+}
+
+fn claims(trials: &[Trial]) -> Vec<Claim> {
+    const UNIT: &str = "of the undisturbed captures";
+    let mut claims = Vec::new();
+    for (care, _) in CARES {
+        claims.extend(of_care(trials, care));
+        let several = sums(trials, care, true, "not_finite");
+        let id = format!("ram_flips.{care}.several");
+        let note =
+            "choices of a value that is no finite number, at four flips at once in 10 actions";
+        claims.push(claim(&id, "choices").note(note).judge(&several));
+    }
     for name in ["agent", "mind"] {
-        let undisturbed = of(trials, &format!("ram_flips.{name}.undisturbed"));
-        for (every, least) in EVERY.into_iter().zip([0.97, 0.9]) {
-            let captures = of(
-                trials,
-                &format!("ram_flips.{name}.scrubbed.{every}.captures"),
-            );
-            let shares = captures.iter().zip(&undisturbed);
-            let shares: Vec<f64> = shares.map(|(one, all)| one / all.max(1.0)).collect();
-            claims.push(
-                claim(
-                    &format!("ram_flips.{name}.{every}"),
-                    "of the undisturbed captures",
-                )
-                .rule(Rule::mean(Bound::AtLeast(least)))
-                .note("sealed after every call and checked before the next")
-                .judge(&shares),
-            );
+        for hits in HITS {
+            for (care, _) in CARES {
+                let shares = shares(trials, name, care, hits.name);
+                // The rule of one that is scrubbed was there first.
+                let (id, rule) = match (care, hits.least) {
+                    ("scrubbed", Some(least)) => (
+                        format!("ram_flips.{name}.{}", hits.name),
+                        Rule::mean(Bound::AtLeast(least)),
+                    ),
+                    _ => (
+                        format!("ram_flips.{name}.{}.{care}", hits.name),
+                        Rule::Measured,
+                    ),
+                };
+                claims.push(claim(&id, UNIT).rule(rule).note(care).judge(&shares));
+            }
         }
     }
     claims
