@@ -1,13 +1,13 @@
 #![no_std]
 #![no_main]
 //! Takes over a life from the host: loads the image `to-board.brain`, lives on along the recording and
-//! writes `from-board.brain`; says what loading and saving took, and what keeping the brain in flash
-//! takes beside the flash's own time.
+//! writes `from-board.brain`; says what loading and saving took, what keeping the brain in flash takes
+//! beside the flash's own time, and what it takes to find a bit that turned.
 //!
 //! The test `snapshots` in `../../tests` makes the first file and compares the second.
 
 use cla_core::flash::{FlashStore, RamFlash};
-use cla_core::snapshot::{self, SliceSink};
+use cla_core::snapshot::{self, Audit, Scrub, SliceSink};
 use firmware_example::resume::{BACK, SLOT, THERE, live, names};
 use firmware_example::{board, profile};
 use semihosting::io::{Read, Write};
@@ -15,6 +15,9 @@ use semihosting::{fs, println, process};
 
 /// Larger than any image of the brain.
 const MOST: usize = 384 * 1024;
+
+/// Sums of chunks of the whole brain.
+const SUMS: usize = 160;
 
 static mut BRAIN: profile::Brain = profile::brain();
 static mut IMAGE: [u8; MOST] = [0; MOST];
@@ -58,6 +61,30 @@ fn keep(brain: &mut profile::Brain, counter: &mut board::Counter) -> Result<(), 
     match resumed {
         Ok(it) if it.tick == BACK => Ok(()),
         _ => Err("it is not resumed"),
+    }
+}
+
+/// Instructions and stack of sealing a whole brain between two ticks, and of looking whether it is as
+/// it was.
+fn scrub(brain: &mut profile::Brain, counter: &mut board::Counter) -> Result<(), &'static str> {
+    let mut scrub = Scrub::<SUMS>::new();
+    println!("scrub bytes {}", size_of_val(&scrub));
+    board::paint_stack();
+    counter.lap();
+    let sealed = scrub.seal(brain);
+    let instructions = counter.lap();
+    println!("scrub seal instructions {instructions}");
+    println!("scrub seal stack {}", board::stack_used());
+    sealed.map_err(|_| "it has more chunks")?;
+    board::paint_stack();
+    counter.lap();
+    let found = scrub.check(brain);
+    let instructions = counter.lap();
+    println!("scrub check instructions {instructions}");
+    println!("scrub check stack {}", board::stack_used());
+    match found {
+        Some(Audit::Sound) => Ok(()),
+        _ => Err("a bit has turned"),
     }
 }
 
@@ -106,6 +133,7 @@ fn take_over() -> Result<(), &'static str> {
     println!("save instructions {instructions}");
     println!("save stack {}", board::stack_used());
     keep(brain, &mut counter)?;
+    scrub(brain, &mut counter)?;
     let image = image.get(..saved as usize).unwrap_or_default();
     let mut file = fs::File::create(c"from-board.brain").map_err(|_| "there is no room")?;
     file.write_all(image)
