@@ -55,9 +55,9 @@ fn what_24_ranges_will_be_is_foretold_better_than_that_nothing_changes() {
     assert_eq!((log.rows, log.steps.len()), (5000, 4999));
     let lesson = teach(&log, 0.75, 1).unwrap();
     assert_eq!((lesson.taught, lesson.held_out), (3749, 1250));
-    let [learner, unchanged, frequent] = lesson.scores.map(|(_, score)| score);
+    let [learner, all, unchanged, frequent] = lesson.scores.map(|(_, score)| score);
     println!("{:?}", lesson.scores);
-    // All three are asked the same.
+    // All are asked the same.
     assert_eq!(learner.items[0], 36 * 1250);
     assert_eq!(learner.items[0], frequent.items[0]);
     assert!(learner.changed[0] > 2000 && learner.changed[0] == unchanged.changed[0]);
@@ -66,6 +66,9 @@ fn what_24_ranges_will_be_is_foretold_better_than_that_nothing_changes() {
         unchanged.items[1],
         unchanged.items[0] - unchanged.changed[0]
     );
+    // All schemas together foretell more changes, and more that do not come.
+    assert!(share(all.changed) > share(learner.changed), "{all:?}");
+    assert!(share(all.foretold) < share(learner.foretold), "{all:?}");
     // Changes are foretold, and more of them come than do not.
     assert!(share(learner.changed) > 0.3, "{learner:?}");
     assert!(share(learner.foretold) > 0.5, "{learner:?}");

@@ -1,6 +1,7 @@
-//! How well the next percept is foretold: by the learner, and by two who have learned nothing of what
-//! leads where.
+//! How well the next percept is foretold: by the learner, and by two who know nothing of what leads
+//! where.
 
+use cla_core::growth::SimpleSchema;
 use cla_core::word::{ItemId, ItemSet};
 use serde_json::{Value, json};
 
@@ -95,6 +96,78 @@ impl Frequent {
             if on > off || on == off && was {
                 // It is an item of the percept.
                 let _ = all.insert(item);
+            }
+        }
+        all
+    }
+}
+
+/// What a schema says: which item becomes what after an action, and where.
+#[derive(Clone, Debug, PartialEq)]
+struct Said {
+    context: Vec<(ItemId, bool)>,
+    item: ItemId,
+    becomes: bool,
+    /// Steps of the lesson in which it said so, and those of them in which it came.
+    record: [u32; 2],
+}
+
+impl Said {
+    /// Whether it says that something changes now.
+    fn applies(&self, now: &Percept) -> bool {
+        let holds = |&(item, on): &(ItemId, bool)| now.get(item) == Some(on);
+        now.get(self.item) == Some(!self.becomes) && self.context.iter().all(holds)
+    }
+}
+
+/// A learner's schemas, held against the lesson that they were learned from.
+///
+/// A schema is grown from what surprised, and so it says more than mostly comes; here it speaks where
+/// what it said came in more than half of the taught steps.
+#[derive(Clone, Debug)]
+pub struct Held(Vec<Vec<Said>>);
+
+impl Held {
+    /// These schemas, with their record in these steps.
+    #[must_use]
+    pub fn new(schemas: &[SimpleSchema], taught: &[Step]) -> Self {
+        let mut all = vec![Vec::new(); ACTIONS];
+        for it in schemas {
+            if let Some(of_action) = all.get_mut(usize::from(it.action().0)) {
+                of_action.push(Said {
+                    context: it.context().collect(),
+                    item: it.result_item(),
+                    becomes: it.result_sign(),
+                    record: [0; 2],
+                });
+            }
+        }
+        for step in taught {
+            for said in &mut all[usize::from(step.action.0)] {
+                if let Some(is) = step.after.get(said.item)
+                    && said.applies(&step.before)
+                {
+                    said.record[0] += 1;
+                    said.record[1] += u32::from(is == said.becomes);
+                }
+            }
+        }
+        Self(all)
+    }
+
+    /// What is to come after the action of a step; what no schema speaks of stays.
+    #[must_use]
+    pub fn foretell(&self, step: &Step) -> Foretold {
+        let mut all = *step.before.on();
+        for said in &self.0[usize::from(step.action.0)] {
+            let [tried, came] = said.record;
+            if 2 * came > tried && said.applies(&step.before) {
+                if said.becomes {
+                    // It is an item of the percept.
+                    let _ = all.insert(said.item);
+                } else {
+                    all.remove(said.item);
+                }
             }
         }
         all
