@@ -1,7 +1,7 @@
 //! A log as a robot with 24 ultrasound sensors leaves it: ranges in metres and one of four moves a row,
 //! of the shape of the wall-following robot's in the UCI repository, made by a simulated robot.
 //!
-//! `cargo run --release -p host-sim --example ranges -- FOLDER [ROWS] [SEED]` writes `ranges.csv` and
+//! `cargo run --release -p host-sim --example ranges -- [FOLDER [ROWS [SEED]]]` writes `ranges.csv` and
 //! `ranges.toml`, of which `host-sim teach --log FOLDER/ranges.csv --mapping FOLDER/ranges.toml` learns.
 //! A round robot in a room of 6 × 5 m with a pillar follows the wall on its left and does at times
 //! something else; every range errs by 2 cm, one of 200 sees no echo, and moves err by a few percent.
@@ -151,7 +151,7 @@ pub(crate) fn mapping() -> String {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
-    let folder = arguments.next().unwrap_or_else(|| ".".to_owned());
+    let folder = arguments.next().unwrap_or_else(|| "runs/ranges".to_owned());
     let rows = arguments.next().map_or(Ok(5000), |it| it.parse())?;
     let seed = arguments.next().map_or(Ok(1), |it| it.parse())?;
     std::fs::create_dir_all(&folder)?;
