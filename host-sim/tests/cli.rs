@@ -359,7 +359,7 @@ fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
         "seeds = \"3..4\"\n[world]\nradius = 6.0\n[agent.habits]\nweight = 0.25\n",
     )
     .expect("a file");
-    let short = "protocol={training=500,before=100,after=1000}";
+    let short = "protocol={training=300,before=1000,after=3000}";
     for (name, arguments, said) in [
         (
             "forage",
@@ -374,7 +374,7 @@ fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
         (
             "recover",
             &format!("--seeds 3 --radius 6 --damage dead:s3 --set {short}"),
-            &["radius = 6.0", "\"dead:s3\"", "after = 1000"],
+            &["radius = 6.0", "\"dead:s3\"", "after = 3000"],
         ),
         (
             "one",
@@ -446,6 +446,10 @@ fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
         (
             "recover --set protocol.after=0",
             "protocol.after is at least 1",
+        ),
+        (
+            "recover --set protocol.after=100",
+            "protocol.after is at least 3000 here, not 100",
         ),
         (
             "one --set agent.discuont=0.9",

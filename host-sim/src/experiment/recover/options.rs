@@ -12,6 +12,9 @@ use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::{ACTIONS, ITEMS};
 use crate::world::setting::WorldOptions;
 
+/// Least undamaged actions, a point of a curve, and damaged ones, the first that are judged.
+const LEAST_BEFORE: u32 = 1000;
+const LEAST_AFTER: u32 = 3000;
 /// Most damages of one run.
 const MOST_DAMAGES: usize = 100;
 
@@ -76,9 +79,19 @@ impl RecoverOptions {
     /// The same lives, longer or shorter.
     ///
     /// # Errors
-    /// [`Impossible`] for parts that are too long, and for a damaged life without an action.
+    /// [`Impossible`] for parts that are too long, and for later parts that are shorter than what is
+    /// drawn and measured of them.
     pub fn with_protocol(self, protocol: Protocol) -> Result<Self, Impossible> {
         protocol.check()?;
+        for (name, actions, least) in [
+            ("before", protocol.before, LEAST_BEFORE),
+            ("after", protocol.after, LEAST_AFTER),
+        ] {
+            if actions < least {
+                let sentence = format!("protocol.{name} is at least {least} here, not {actions}");
+                return Err(Impossible::new(sentence));
+            }
+        }
         Ok(Self { protocol, ..self })
     }
 
