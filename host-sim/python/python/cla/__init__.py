@@ -13,7 +13,7 @@ from cla.agent import Agent, Choice, Life
 from cla.som import SOM
 
 __all__ = ["Agent", "Choice", "Life", "SOM", "envs", "PROFILES"]
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 #: The profiles of :class:`Agent`, each with what it is for.
 PROFILES = dict(_profiles())
