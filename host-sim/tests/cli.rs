@@ -73,6 +73,7 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         &["calibrate", "--seeds", "1..2"],
         &["recover", "--damage", "flood"],
         &["one", "--parts", "moon"],
+        &["aliased", "--worlds", "moon"],
         &["live", "--world", "mars"],
         &["live", "--world", "none.POMDP"],
         &["live", "--agent", "sarsaa"],

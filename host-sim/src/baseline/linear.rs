@@ -11,7 +11,7 @@ use cla_core::num::Rng;
 use serde::{Deserialize, Serialize};
 
 use super::patience::Patience;
-use super::tabular::{History, bits, captured};
+use super::tabular::{History, MOST_STEPS, bits, captured};
 use crate::failure::Failure;
 use crate::learner::Learner;
 use crate::world::{Percept, WORLD_WORDS, World};
@@ -76,7 +76,7 @@ pub struct Linear {
     rng: Rng,
     acting: bool,
     /// Percepts and actions of the last choices, the latest first.
-    before: [Option<(u128, usize)>; 2],
+    before: [Option<(u128, usize)>; MOST_STEPS],
     chosen: (Vec<usize>, usize),
     /// What voted, the action and the reward that wait for what comes next.
     waiting: Option<(Vec<usize>, usize, f64)>,
@@ -92,8 +92,9 @@ impl Linear {
     pub fn new<W: World>(config: LinearConfig, world: &W, seed: u64) -> Self {
         let (items, actions) = (world.items().len(), world.actions().len().max(1));
         let items = items.min(32 * WORLD_WORDS);
-        // A constant, the items of three moments, and the actions of two.
-        let votes = 1 + 3 * items + 2 * actions;
+        // A constant, the items of all moments, and the actions of those before.
+        let past = config.history.steps();
+        let votes = 1 + (1 + past) * items + past * actions;
         Self {
             config,
             actions,
@@ -102,7 +103,7 @@ impl Linear {
             marks: vec![vec![0.0; votes]; actions],
             rng: Rng::stream(seed, 6),
             acting: false,
-            before: [None; 2],
+            before: [None; MOST_STEPS],
             chosen: (Vec::new(), 0),
             waiting: None,
             patience: Patience::NEW,
@@ -110,11 +111,7 @@ impl Linear {
     }
 
     fn voters(&self, now: u128) -> Vec<usize> {
-        let past = match self.config.history {
-            History::None => 0,
-            History::OneStep => 1,
-            History::TwoSteps => 2,
-        };
+        let past = self.config.history.steps();
         let mut voters = vec![0];
         let mut vote = |first: usize, on: u128| {
             let items = (0..self.items).filter(|it| on >> it & 1 == 1);
@@ -127,7 +124,7 @@ impl Linear {
             }
         }
         for (at, moment) in self.before.iter().take(past).enumerate() {
-            let first = 1 + 3 * self.items + at * self.actions;
+            let first = 1 + (1 + past) * self.items + at * self.actions;
             voters.extend(moment.map(|(_, action)| first + action));
         }
         voters
@@ -191,7 +188,8 @@ impl Learner for Linear {
             let future = self.worth(&voters, action);
             self.improve(waiting, future);
         }
-        self.before = [Some((seen, action)), self.before[0]];
+        self.before.rotate_right(1);
+        self.before[0] = Some((seen, action));
         self.chosen = (voters, action);
         Ok(action)
     }
@@ -214,7 +212,7 @@ impl Learner for Linear {
         for marks in &mut self.marks {
             marks.fill(0.0);
         }
-        self.before = [None; 2];
+        self.before = [None; MOST_STEPS];
         Ok(())
     }
 
@@ -273,13 +271,18 @@ mod tests {
 
     #[test]
     fn with_history_what_was_before_has_votes_of_its_own() {
+        grows(History::TwoSteps, [2, 4, 6, 6, 6, 6]);
+        grows(History::FourSteps, [2, 4, 6, 8, 10, 10]);
+    }
+
+    fn grows(history: History, voters: [usize; 6]) {
         let config = LinearConfig {
-            history: History::TwoSteps,
+            history,
             ..LinearConfig::DEFAULT
         };
         let mut learner = Linear::new(config, &Lake::new(1), 1);
         let mut world = Lake::new(1);
-        for expected in [2, 4, 6, 6] {
+        for expected in voters {
             let action = learner.choose(&world.sense()).unwrap();
             assert_eq!(learner.chosen.0.len(), expected);
             world.act(action);

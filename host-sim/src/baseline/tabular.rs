@@ -1,4 +1,4 @@
-//! Tabular reinforcement learning: Q-learning and Sarsa(λ), with or without one step of history.
+//! Tabular reinforcement learning: Q-learning and Sarsa(λ), on percepts or on a few steps of history.
 //!
 //! The same items, reflexes and actions as the brain has; the reward is what the world gives as a
 //! number, and where it gives none, 1 when the Pioneer's `ingrip` is on after an action.
@@ -10,6 +10,7 @@
 //! Sources: Watkins (1989); Rummery and Niranjan (1994); Singh and Sutton (1996) for the traces.
 
 use std::collections::BTreeMap;
+use std::num::NonZeroU32;
 
 use cla_core::agent::Escape;
 use cla_core::num::Rng;
@@ -52,6 +53,24 @@ pub enum History {
     OneStep,
     /// The present percept, the two before it and the actions between them.
     TwoSteps,
+    /// The present percept, the four before it and the actions between them.
+    FourSteps,
+}
+
+/// Moments before the present, at most.
+pub(super) const MOST_STEPS: usize = 4;
+
+impl History {
+    /// How many moments before the present belong to a state.
+    #[must_use]
+    pub const fn steps(self) -> usize {
+        match self {
+            Self::None => 0,
+            Self::OneStep => 1,
+            Self::TwoSteps => 2,
+            Self::FourSteps => MOST_STEPS,
+        }
+    }
 }
 
 /// The parameters of a tabular learner.
@@ -128,15 +147,20 @@ const ESCAPE: Escape = Escape {
     burst: 10,
 };
 
-/// A percept, its items that are on as bits, and what was done in it.
-type Moment = (u128, usize);
+/// A percept, its items that are on as bits, and what was done in it, counted from 1.
+type Moment = (u128, NonZeroU32);
+
+/// The moment of an action.
+fn moment(seen: u128, action: usize) -> Option<Moment> {
+    Some((seen, NonZeroU32::MIN.saturating_add(action as u32)))
+}
 
 /// By what a row of the table is found: the present percept and, with history, the moments before,
 /// the latest first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct State {
     now: u128,
-    past: [Option<Moment>; 2],
+    past: [Option<Moment>; MOST_STEPS],
 }
 
 /// A table of action values.
@@ -161,7 +185,7 @@ pub struct Tabular {
     rng: Rng,
     acting: bool,
     /// Percepts and actions of the last choices, the latest first.
-    before: [Option<Moment>; 2],
+    before: [Option<Moment>; MOST_STEPS],
     /// State, action and reward that wait for what comes next.
     waiting: Option<(State, usize, f64)>,
     chosen: (State, usize),
@@ -193,7 +217,7 @@ impl Tabular {
             traces: Vec::new(),
             rng: Rng::stream(seed, 5),
             acting: false,
-            before: [None; 2],
+            before: [None; MOST_STEPS],
             waiting: None,
             chosen: (State::default(), 0),
             patience: Patience::NEW,
@@ -297,11 +321,8 @@ impl Tabular {
 impl Learner for Tabular {
     fn choose(&mut self, now: &Percept) -> Result<usize, Failure> {
         let seen = bits(now);
-        let past = match self.config.history {
-            History::None => [None; 2],
-            History::OneStep => [self.before[0], None],
-            History::TwoSteps => self.before,
-        };
+        let mut past = self.before;
+        past[self.config.history.steps()..].fill(None);
         let state = State { now: seen, past };
         let action = self.pick(&state);
         if let Some(waiting) = self.waiting.take() {
@@ -312,7 +333,8 @@ impl Learner for Tabular {
             };
             self.improve(waiting, future);
         }
-        self.before = [Some((seen, action)), self.before[0]];
+        self.before.rotate_right(1);
+        self.before[0] = moment(seen, action);
         self.chosen = (state, action);
         Ok(action)
     }
@@ -333,7 +355,7 @@ impl Learner for Tabular {
             self.improve(waiting, 0.0);
         }
         self.traces.clear();
-        self.before = [None; 2];
+        self.before = [None; MOST_STEPS];
         Ok(())
     }
 
@@ -492,6 +514,25 @@ mod tests {
             learner.states()
         };
         assert!(states(History::None) <= 4 && states(History::OneStep) > 10);
+    }
+
+    #[test]
+    fn a_state_reaches_as_far_back_as_its_history_says() {
+        for (history, steps) in [
+            (History::None, 0),
+            (History::OneStep, 1),
+            (History::TwoSteps, 2),
+            (History::FourSteps, 4),
+        ] {
+            let mut learner = learner(Method::QLearning, history);
+            for _ in 0..7 {
+                learner.choose(&Percept::all_off(7)).unwrap();
+                learner.learn(&Percept::all_off(7)).unwrap();
+            }
+            let past = learner.chosen.0.past;
+            assert_eq!(past.iter().flatten().count(), steps, "{history:?}");
+            assert!(past[..steps].iter().all(Option::is_some));
+        }
     }
 
     #[test]

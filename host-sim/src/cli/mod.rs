@@ -128,6 +128,28 @@ pub enum Command {
         #[command(flatten)]
         out: OutArgs,
     },
+    /// Worlds in which places look alike: what constructed items are worth there (book, 7.1.5).
+    Aliased {
+        /// Which lives.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Some worlds only: barriers, shuttle, cheese, t_maze_2, t_maze_4, t_maze_8, t_maze_16,
+        /// hallway.
+        #[arg(long, value_name = "WORLD,…", value_delimiter = ',')]
+        worlds: Vec<String>,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
+    /// Words in a stream of syllables, rules in sentences: what infants find (book, 7.3.3).
+    Words {
+        /// The infants.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// Any learner in any world, or in that of a file, damaged in mid-life; all settings by name.
     Live {
         /// Which lives.

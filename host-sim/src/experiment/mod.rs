@@ -1,5 +1,6 @@
 //! The book's experiments, a folder each, on one plan: options, trial, claims, tables, figures.
 
+pub mod aliased;
 pub mod angle;
 pub mod calibrate;
 pub mod causal;
@@ -17,6 +18,7 @@ pub mod recover;
 pub mod settled;
 pub mod survive;
 pub mod sweep;
+pub mod words;
 
 use crate::report::Claim;
 
@@ -33,6 +35,7 @@ use crate::report::Claim;
 #[must_use]
 pub fn declared(experiment: &str) -> Option<Vec<Claim>> {
     match experiment {
+        "aliased" => Some(aliased::declared()),
         "angle" => Some(angle::declared()),
         "calibrate" => Some(calibrate::declared()),
         "causal" => Some(causal::declared()),
@@ -41,6 +44,7 @@ pub fn declared(experiment: &str) -> Option<Vec<Claim>> {
         "one" => Some(one::declared()),
         "recover" => Some(recover::declared()),
         "survive" => Some(survive::declared()),
+        "words" => Some(words::declared()),
         _ => None,
     }
 }

@@ -15,6 +15,7 @@ use clap::Parser;
 
 use crate::cli::{BudgetArgs, Cli, Command, OutArgs};
 use crate::device::budget::Budget;
+use crate::experiment::aliased::{Aliased, AliasedOptions};
 use crate::experiment::angle::{Angle, AngleOptions};
 use crate::experiment::calibrate::{Calibrate, CalibrateOptions};
 use crate::experiment::causal::{Causal, CausalOptions};
@@ -29,6 +30,7 @@ use crate::experiment::plan::Experiment;
 use crate::experiment::recover::Recover;
 use crate::experiment::survive::{Scale, Survive, SurviveOptions};
 use crate::experiment::sweep::{Shard, Sweep};
+use crate::experiment::words::{Words, WordsOptions};
 use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
 use crate::report::{Begin, Journal, Place, Results};
@@ -203,6 +205,18 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
         } => {
             let options = settled::one(which, parts, *long, settings)?;
             (plan::<One>(options), out, None)
+        }
+        Command::Aliased {
+            seeds: which,
+            worlds,
+            out,
+        } => {
+            let options = AliasedOptions::new(seeds(which)?, worlds)?;
+            (plan::<Aliased>(options), out, None)
+        }
+        Command::Words { seeds: which, out } => {
+            let options = WordsOptions::standard(seeds(which)?);
+            (plan::<Words>(options), out, None)
         }
         Command::Live {
             seeds: which,

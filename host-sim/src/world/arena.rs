@@ -32,6 +32,20 @@ const ROBOT: Group = Group::GROUP_1;
 const WALL: Group = Group::GROUP_2;
 const SPECIMEN: Group = Group::GROUP_3;
 
+/// Thickness of a barrier, metres.
+pub const BARRIER_THICKNESS: f64 = 0.1;
+/// Half of the longest drive, metres: no point of it is farther from both of its ends.
+const HALF_DRIVE: f64 = 1.2;
+
+/// A straight barrier in the room, which stops the robot and nothing else.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Barrier {
+    /// Its centre; it stands across the heading.
+    pub pose: Pose,
+    /// From one end to the other, metres.
+    pub length: f64,
+}
+
 /// The bodies in the room and the engine that moves them.
 ///
 /// Where it departs from Stage 1.3.4:
@@ -51,6 +65,7 @@ pub struct Arena {
     positions: Vec<Option<Point>>,
     moving: bool,
     radius: f64,
+    barriers: Vec<Barrier>,
 }
 
 impl Arena {
@@ -91,7 +106,24 @@ impl Arena {
             positions: specimens.iter().map(|&at| Some(rounded(at))).collect(),
             moving: false,
             radius,
+            barriers: Vec::new(),
         }
+    }
+
+    /// Puts a barrier up.
+    pub fn raise(&mut self, barrier: Barrier) {
+        self.physics.insert_collider(
+            ColliderBuilder::cuboid(
+                (0.5 * BARRIER_THICKNESS) as f32,
+                (0.5 * barrier.length) as f32,
+            )
+            .position(engine_pose(&barrier.pose))
+            .collision_groups(groups(WALL, ROBOT)),
+            None,
+        );
+        self.barriers.push(barrier);
+        // Makes it known to queries; nothing moves.
+        self.physics.step();
     }
 
     /// Where each specimen is; `None` for one that was taken.
@@ -108,11 +140,16 @@ impl Arena {
 
     /// Whether no heading could bring the robot's body to a wall at `pose`.
     ///
-    /// The room is round: between two such poses all are.
+    /// The room is round: between two such poses all are; and a barrier is farther than half a drive.
     #[must_use]
     pub fn far_from_walls(&self, pose: &Pose) -> bool {
         let free = (self.radius - BODY_REACH).max(0.0);
+        let far = |barrier: &Barrier| {
+            let reach = 0.5 * (barrier.length + BARRIER_THICKNESS) + BODY_REACH + HALF_DRIVE;
+            pose.position.distance_squared(barrier.pose.position) > reach * reach
+        };
         pose.position.distance_squared(Point::default()) < free * free
+            && self.barriers.iter().all(far)
     }
 
     /// Whether the robot's body would reach into a wall at `pose`.
@@ -250,7 +287,7 @@ fn insert_specimen(physics: &mut PhysicsWorld, at: Point) -> RigidBodyHandle {
 #[cfg(test)]
 mod tests {
     use super::super::body::TICK_METRES;
-    use super::{Arena, Point, Pose, TICK_SECONDS};
+    use super::{Arena, Barrier, Point, Pose, TICK_SECONDS};
 
     /// Drives `ticks` ticks forward from `pose` and lets everything come to rest.
     fn drive(arena: &mut Arena, mut pose: Pose, ticks: u32) {
@@ -321,6 +358,22 @@ mod tests {
         assert!(!arena.body_hits_wall(&facing(2.80)));
         assert!(arena.body_hits_wall(&facing(2.83)));
         assert!(arena.body_hits_wall(&facing(3.5)));
+    }
+
+    #[test]
+    fn a_barrier_stops_the_robot_and_no_specimen() {
+        let mut arena = Arena::new(5.0, &[Point::new(0.30, 0.0)]);
+        arena.raise(Barrier {
+            pose: Pose::new(Point::new(0.9, 0.0), 0.0),
+            length: 1.0,
+        });
+        let facing = |x: f64| Pose::new(Point::new(x, 0.0), 0.0);
+        assert!(!arena.body_hits_wall(&facing(0.60)));
+        assert!(arena.body_hits_wall(&facing(0.75)));
+        assert!(!arena.far_from_walls(&facing(0.0)));
+        assert!(!arena.body_hits_wall(&facing(1.5)));
+        drive(&mut arena, facing(0.0), 10);
+        assert!(arena.positions()[0].unwrap().x > 0.95);
     }
 
     #[test]

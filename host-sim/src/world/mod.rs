@@ -4,6 +4,7 @@
 mod within;
 
 pub mod arena;
+pub mod barriers;
 pub mod body;
 pub mod camera;
 pub mod config;

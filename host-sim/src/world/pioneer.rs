@@ -10,7 +10,7 @@ use core::fmt;
 use cla_core::num::Rng;
 use cla_core::word::{ItemId, ItemStates};
 
-use super::arena::Arena;
+use super::arena::{Arena, Barrier};
 use super::body::{
     REFLEX_BACK, TICK_METRES, TICK_SECONDS, breaks_a_beam, corners, may_be_touched,
     may_break_a_beam,
@@ -212,6 +212,11 @@ impl Pioneer {
     #[must_use]
     pub const fn bump_reflexes(&self) -> u32 {
         self.bump_reflexes
+    }
+
+    /// Puts up a barrier that neither the camera nor a beam sees.
+    pub fn raise(&mut self, barrier: Barrier) {
+        self.arena.raise(barrier);
     }
 
     /// The percept with every sector on that holds a blob, not only the nearest blob's.

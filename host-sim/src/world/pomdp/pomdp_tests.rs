@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::planner::{Plan, PlanConfig};
-use super::{Place, Pomdp, PomdpWorld, SHUTTLE, shuttle};
+use super::{CHEESE, Place, Pomdp, PomdpWorld, SHUTTLE, hallway, shuttle, t_maze};
 use crate::baseline::random::Random;
 use crate::baseline::worlds::believer::Believer;
 use crate::baseline::worlds::shuttle::Docker;
@@ -294,4 +294,119 @@ fn the_same_seed_gives_the_same_life_in_a_world_of_a_file() {
     };
     assert_eq!(life(1), life(1));
     assert_ne!(life(1), life(2));
+}
+
+/// From the table of Littman, Cassandra and Kaelbling: action, state, next state, chance.
+const HALLWAY_MOVES: [(usize, usize, usize, f64); 23] = [
+    (1, 0, 5, 0.05),
+    (1, 0, 0, 0.95),
+    (1, 3, 5, 0.025),
+    (1, 3, 7, 0.025),
+    (1, 4, 9, 0.05),
+    (1, 4, 3, 0.05),
+    (1, 4, 4, 0.9),
+    (1, 5, 9, 0.8),
+    (1, 5, 1, 0.025),
+    (1, 5, 5, 0.15),
+    (1, 8, 44, 0.025),
+    (1, 8, 8, 0.85),
+    (1, 10, 46, 0.8),
+    (1, 10, 13, 0.05),
+    (1, 44, 8, 0.8),
+    (1, 54, 24, 0.025),
+    (2, 0, 1, 0.7),
+    (2, 1, 0, 0.1),
+    (3, 0, 2, 0.6),
+    (3, 1, 0, 0.15),
+    (4, 2, 1, 0.7),
+    (0, 7, 7, 1.0),
+    (3, 57, 12, 1.0 / 56.0),
+];
+
+/// State, percept, chance.
+const HALLWAY_SIGHTS: [(usize, usize, f64); 8] = [
+    (0, 11, 0.692_55),
+    (0, 15, 0.036_464),
+    (1, 7, 0.692_55),
+    (4, 10, 0.731_024),
+    (8, 8, 0.771_637),
+    (9, 1, 0.771_637),
+    (10, 16, 1.0),
+    (58, 20, 1.0),
+];
+
+#[test]
+fn the_hallway_has_the_chances_of_its_published_table() {
+    let hallway = Pomdp::parse(&hallway()).unwrap();
+    for (action, from, to, chance) in HALLWAY_MOVES {
+        let ours = hallway.chance(action, from, to);
+        assert!((ours - chance).abs() < 2e-5, "{action} {from} {to} {ours}");
+    }
+    for (state, seen, chance) in HALLWAY_SIGHTS {
+        let ours = hallway.observed(0, state)[seen];
+        assert!((ours - chance).abs() < 2e-5, "{state} {seen} {ours}");
+    }
+    assert_eq!(
+        (hallway.reward(1, 30, 57, 20), hallway.reward(1, 30, 3, 0)),
+        (1.0, 0.0)
+    );
+    assert!((hallway.start()[55] - 1.0 / 56.0).abs() < 1e-9 && hallway.start()[56] == 0.0);
+}
+
+#[test]
+fn the_cheese_maze_is_the_one_of_its_picture() {
+    let maze = Pomdp::parse(CHEESE).unwrap();
+    // Of each place: what lies north, south, east and west of it, itself for a wall.
+    let beside = [
+        [0, 5, 1, 0],
+        [1, 1, 2, 0],
+        [2, 6, 3, 1],
+        [3, 3, 4, 2],
+        [4, 7, 4, 3],
+        [0, 8, 5, 5],
+        [2, 10, 6, 6],
+        [4, 9, 7, 7],
+        [5, 8, 8, 8],
+        [7, 9, 9, 9],
+    ];
+    for (place, ends) in beside.iter().enumerate() {
+        for (action, &end) in ends.iter().enumerate() {
+            assert_eq!(maze.chance(action, place, end), 1.0, "{place} {action}");
+        }
+    }
+    for action in 0..4 {
+        let elsewhere = &maze.next(action, 10)[..10];
+        assert!(elsewhere.iter().all(|it| (it - 0.1).abs() < 1e-12));
+    }
+    // Three corridors look alike, and two ends of one.
+    let seen = |place: usize| maze.observed(0, place).iter().position(|&it| it == 1.0);
+    assert_eq!([5, 6, 7].map(seen), [seen(5); 3]);
+    assert_eq!((seen(1), seen(8)), (seen(3), seen(9)));
+    assert_eq!(maze.reward(1, 6, 10, 6), 1.0);
+}
+
+#[test]
+fn in_a_corridor_the_cue_alone_tells_where_the_prize_is() {
+    for delay in [1, 2, 16] {
+        let maze = Pomdp::parse(&t_maze(delay)).unwrap();
+        for (side, turn) in [(0, 1), (1, 2)] {
+            let first = side * (delay + 1);
+            let mut state = first;
+            assert_eq!(maze.observed(0, first)[side], 1.0);
+            for _ in 0..delay {
+                state = maze
+                    .next(0, state)
+                    .iter()
+                    .position(|&it| it == 1.0)
+                    .unwrap();
+                assert_eq!(maze.observed(0, state)[1 - side], 0.0);
+            }
+            assert_eq!(maze.observed(0, state)[3], 1.0);
+            let prize = 2 * (delay + 1);
+            assert_eq!(maze.chance(turn, state, prize), 1.0);
+            assert_eq!(maze.chance(3 - turn, state, prize + 1), 1.0);
+            assert_eq!(maze.expected(turn, state), 4.0);
+            assert_eq!(maze.chance(0, prize, first), 0.5);
+        }
+    }
 }
