@@ -261,7 +261,7 @@ impl MindConfig {
         prior: 10.0,
         felt: 0.1,
         spread: 300,
-        work: 2900,
+        work: 2800,
     };
 }
 

@@ -15,12 +15,24 @@ pub(crate) const LARGEST_VALUE: f32 = 1e9;
 pub(crate) const LARGEST_COUNT: f32 = 16_777_216.0;
 
 /// The nearest number that is at most so far from 0; 0 for what is no number.
+///
+/// Bits of floats are in the order of their sizes, so that what is within is one comparison away.
+#[inline]
 pub(crate) const fn bounded(number: f32, most: f32) -> f32 {
-    if -most <= number && number <= most {
+    const SIZE: u32 = 0x7FFF_FFFF;
+    if number.to_bits() & SIZE <= most.to_bits() {
         number
-    } else if number > most {
+    } else {
+        beyond(number, most)
+    }
+}
+
+#[cold]
+#[inline(never)]
+const fn beyond(number: f32, most: f32) -> f32 {
+    if number > 0.0 {
         most
-    } else if number < -most {
+    } else if number < 0.0 {
         -most
     } else {
         0.0
@@ -89,5 +101,23 @@ impl Limits {
         let ascends = self.before.is_none_or(|before| before < key);
         self.before = Some(key);
         ascends
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bounded;
+
+    #[test]
+    fn what_is_beyond_becomes_the_bound_and_what_is_no_number_nothing() {
+        for it in [0.0, -0.0, 1.0, -2.5, 3.0, -3.0, f32::MIN_POSITIVE] {
+            assert_eq!(bounded(it, 3.0).to_bits(), it.to_bits());
+        }
+        for it in [3.000_000_2, 1e30, f32::MAX, f32::INFINITY] {
+            assert_eq!(bounded(it, 3.0), 3.0);
+            assert_eq!(bounded(-it, 3.0), -3.0);
+        }
+        assert_eq!(bounded(f32::NAN, 3.0).to_bits(), 0);
+        assert_eq!(bounded(-f32::NAN, 3.0).to_bits(), 0);
     }
 }

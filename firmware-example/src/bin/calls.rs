@@ -193,8 +193,8 @@ fn all() -> Result<(), MindError> {
     live("twelve items", USUAL, twelve, &mut counter)?;
     live("twelve items and plans", USUAL, planner, &mut counter)?;
     live(
-        "twelve items and plans, at 1400 units",
-        1500,
+        "twelve items and plans, at 1200 units",
+        1200,
         planner,
         &mut counter,
     )

@@ -258,7 +258,7 @@ const ROBOTS: [(&str, Option<u64>); 5] = [
     ("small", Some(105_000)),
     ("twelve items", Some(120_000)),
     ("twelve items and plans", None),
-    ("twelve items and plans, at 1400 units", Some(120_000)),
+    ("twelve items and plans, at 1200 units", Some(120_000)),
 ];
 
 #[test]
@@ -294,7 +294,7 @@ fn calls_of_the_learner_for_any_world_are_bounded_whatever_the_robot() {
         }
         // A life whose tables fill, and in which the reward stayed away.
         assert!(
-            word(learn, "alarms") > 0 && word(learn, "fullest") >= 98,
+            word(learn, "alarms") > 0 && word(learn, "fullest") >= 95,
             "{line}"
         );
         rows.push((
