@@ -87,3 +87,30 @@ fn a_learner_that_is_refused_ends_its_life_and_one_that_was_lost_goes_on() {
         assert_eq!(of(&format!("{name}.scrubbed.10x4.ended")), 0.0, "{name}");
     }
 }
+
+#[test]
+fn a_long_life_is_run_when_it_is_named_and_its_claims_are_not_declared() {
+    let options = SurviveOptions {
+        shorter: Scale(200),
+        ..SurviveOptions::new(vec![3, 4], &["long_life".into()]).unwrap()
+    };
+    let summary = judged_again::<Survive>(&options).unwrap().summary;
+    assert_eq!(
+        summary
+            .find("survive.long_life.unsound")
+            .unwrap()
+            .ours
+            .value,
+        Some(0.0)
+    );
+    let lamp = summary.find("survive.long_life.lamp.mind").unwrap();
+    assert_eq!(lamp.ours.n, 2);
+    assert!(lamp.ours.value.is_some_and(|it| (0.0..=1.0).contains(&it)));
+    assert!(
+        declared()
+            .iter()
+            .all(|it| !it.id.starts_with("survive.long_life"))
+    );
+    let all = SurviveOptions::new(vec![3], &["all".into()]).unwrap();
+    assert_eq!(all.parts, SurviveOptions::standard(vec![3]).parts);
+}

@@ -18,5 +18,7 @@ pub(super) const ALL: &[Part] = &[
     kill::PART,
     ram_flips::PART,
     wire::PART,
-    long_life::PART,
 ];
+
+/// Those whose claims are not committed yet: they are run only when they are named.
+pub(super) const UNCLAIMED: &[Part] = &[long_life::PART];
