@@ -8,7 +8,7 @@ use cla_core::snapshot::{load_knowledge, save_knowledge};
 
 use cla_core::forager::pioneer::{Brain as Agent6, VOCABULARY};
 use cla_core::forest;
-use cla_core::word::ItemId;
+use cla_core::word::{Health, ItemId};
 
 type Forest = forest::Mind<1, 7, 6, 448, 200, 512, 512, 2048>;
 
@@ -62,6 +62,10 @@ pub(super) fn asked(mind: &Forest, item: ItemId) -> (Filled, [f32; 6], bool) {
     (mind.filled(), mind.habit(item), mind.acts())
 }
 
+pub(super) fn well(brain: &Agent6, mind: &Forest) -> [Health; 2] {
+    [brain.health(), mind.health()]
+}
+
 pub(super) fn in_words(brain: &mut crab::Brain, now: &crab::Percept) -> Option<crab::Action> {
     let action = brain.choose_or_safe(now);
     let among = brain.choose_among(now, &[crab::Action::left]).ok()?;
@@ -71,5 +75,6 @@ pub(super) fn in_words(brain: &mut crab::Brain, now: &crab::Percept) -> Option<c
         .pursue(&[crab::Item::food], &[crab::Item::heron], 20, now)
         .ok()?;
     let _ = brain.way(now);
+    brain.revalue(crab::Item::food, among.value).ok()?;
     brain.choose(now).ok().map(|choice| choice.action)
 }

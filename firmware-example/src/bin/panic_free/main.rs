@@ -265,6 +265,7 @@ entries! {
     "save_knowledge" (brain: &Agent6, mind: &Forest, to: &mut SliceSink<'_>) -> bool { kept::known(brain, mind, to).is_ok() }
     "load_knowledge" (it: &mut Agent6, mind: &mut Forest, from: &mut &[u8]) -> bool { kept::taken(it, mind, from).is_ok() }
     "mind_asked" (mind: &Forest, item: ItemId) -> bool { kept::asked(mind, item).2 }
+    "health" (brain: &Agent6, mind: &Forest) -> bool { kept::well(brain, mind).iter().any(|it| it.cramped) }
     "in_words" (brain: &mut crab::Brain, now: &crab::Percept) -> Option<crab::Action> { kept::in_words(brain, now) }
     "load_bytes" (it: &mut small::Brain, from: &mut &[u8]) -> Result<u32, LoadError<SourceEnd>> { snapshot::load(it, Names::of(&["a"], &["b"]), from) }
     "say_snapshot" (a: &SaveError<SinkFull>, b: &LoadError<SourceEnd>, to: &mut Nowhere) { let _ = write!(to, "{a}{b}"); }
