@@ -166,6 +166,15 @@ impl<
     R: Reasoning<WORDS, ITEMS, ACTIONS>,
 > Mind<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES, ROWS, STATES, LINKS, R>
 {
+    /// All that its tables have lost so far: what found no room, and what had to make some.
+    pub(super) fn losses(&self) -> u32 {
+        self.model.given_up().wrapping_add(self.reason.losses())
+    }
+
+    pub(super) fn begin_health(&mut self) {
+        self.gauge.begin(self.losses());
+    }
+
     /// How it is doing: what it foresees, what found no room, whether it is too small.
     ///
     /// Foreseen is what has followed an action on the same percept before; unknown, an action that was

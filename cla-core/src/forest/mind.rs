@@ -572,15 +572,6 @@ impl<
         }
     }
 
-    /// All that its tables have lost so far: what found no room, and what had to make some.
-    fn losses(&self) -> u32 {
-        self.model.given_up().wrapping_add(self.reason.losses())
-    }
-
-    pub(super) fn begin_health(&mut self) {
-        self.gauge.begin(self.losses());
-    }
-
     fn worth_of(&self, now: &ItemStates<WORDS>) -> f32 {
         let mut worth = 0.0;
         for item in now.on().iter() {

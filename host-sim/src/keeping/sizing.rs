@@ -3,7 +3,7 @@
 //! Bytes are those of `Capacities::bytes`, which a test of the core holds; how many situations there are
 //! is counted in a log.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use cla_core::forest::Capacities;
@@ -151,8 +151,8 @@ fn proposed(world: &World) -> usize {
 
 fn seen(path: &Path) -> Result<World, Failure> {
     let (life, steps) = read_log(path)?;
-    let mut percepts = HashSet::new();
-    let mut situations = HashMap::new();
+    let mut percepts = BTreeSet::new();
+    let mut situations = BTreeMap::new();
     for pair in steps.windows(2) {
         let [before, after] = pair else { continue };
         percepts.insert(&before.percept.on);

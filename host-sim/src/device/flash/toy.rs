@@ -2,12 +2,11 @@
 
 use cla_core::forest::Mind;
 use cla_core::num::Rng;
-use cla_core::snapshot::{Names, Snapshot};
+use cla_core::snapshot::{self, Names, SliceSink, Snapshot};
 use cla_core::word::{ActionId, ItemId, ItemStates};
 use cla_core::{AgentConfig, MindConfig};
 
 use crate::failure::Failure;
-use crate::learner::image::image_of;
 
 cla_core::brain! {
     /// A robot of four items and three actions.
@@ -131,7 +130,12 @@ fn percept(rng: &mut Rng) -> ItemStates<1> {
 /// The image of a brain; empty where it cannot be saved.
 #[must_use]
 pub fn image<B: Snapshot>(brain: &B) -> Vec<u8> {
-    image_of(brain, names()).unwrap_or_default()
+    let mut image = vec![0; size_of::<B>() + 1024];
+    match snapshot::save(brain, names(), &mut SliceSink::new(&mut image)) {
+        Ok(length) => image.truncate(length as usize),
+        Err(_) => image.clear(),
+    }
+    image
 }
 
 /// What its items and actions are called.
