@@ -5,7 +5,7 @@ use super::experience::Experience;
 use super::imagined::{Imagined, NEVER};
 use super::pursuit::{Aim, Pursuit, Way};
 use crate::growth::SimpleSchema;
-use crate::snapshot::{Reader, Writer, stored};
+use crate::snapshot::{Reader, Writer, bounded, stored};
 use crate::word::{ActionId, ItemId, ItemSet, ItemStates, SchemaText, SignedItems};
 
 /// The discount of what may be had.
@@ -159,7 +159,7 @@ impl<
         self.fresher = false;
         self.moving = false;
         self.moved = false;
-        self.values = values.map(bounded);
+        self.values = values.map(|it| bounded(it, MOST));
         self.aim = Aim::NONE;
         self.kept = 0.0;
     }
@@ -168,10 +168,9 @@ impl<
     ///
     /// Schemas and imagined states stay; their values follow as [`work`](Self::work) goes on.
     pub fn revalue(&mut self, item: ItemId, value: f32) {
-        let value = bounded(value);
+        let value = bounded(value, MOST);
         if let Some(old) = self.values.get_mut(usize::from(item.0)) {
-            let more = value - *old;
-            *old = value;
+            let more = value - core::mem::replace(old, value);
             self.imagined.revalue(item, more);
             self.moving = true;
         }
@@ -243,7 +242,7 @@ impl<
         self.known.compare(action, &sample);
         let to = self.believe(after, &foreseen);
         let exact = self.noise(action) <= 0.0;
-        let worth = bounded(reward);
+        let worth = bounded(reward, MOST);
         let (here, there) = self.arrive_from(&from, &to);
         self.imagined.feel(there, worth);
         if here != NOWHERE && there != NOWHERE {
@@ -571,14 +570,6 @@ const fn after<const ACTIONS: usize>(at: u16, action: u8) -> (u16, u8) {
 /// The most that anything is worth.
 const MOST: f32 = 1.0e6;
 
-fn bounded(worth: f32) -> f32 {
-    if (-MOST..=MOST).contains(&worth) {
-        return worth;
-    }
-    let all = if worth > 0.0 { MOST } else { -MOST };
-    if worth.is_nan() { 0.0 } else { all }
-}
-
 impl<
     const WORDS: usize,
     const ITEMS: usize,
@@ -592,7 +583,7 @@ impl<
     /// worth having is `values` again. Answers how many.
     pub(super) fn audit(&mut self, values: [f32; ITEMS]) -> u32 {
         let mut mended = self.known.audit();
-        let values = values.map(bounded);
+        let values = values.map(|it| bounded(it, MOST));
         if self.values.map(f32::to_bits) != values.map(f32::to_bits) {
             self.values = values;
             mended += 1;
