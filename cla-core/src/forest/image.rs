@@ -96,20 +96,20 @@ impl<
 
     fn check_section(number: usize, from: &mut Reader<'_>) {
         match number {
-            0 => Forest::<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES>::check(from),
-            1 => Sarsa::<WORDS, ITEMS, ACTIONS, ROWS>::check(from),
-            2 => Model::<ACTIONS, STATES, LINKS>::check(from),
-            3 => R::check(from),
+            0 => checked::<Forest<WORDS, ITEMS, ACTIONS, STRETCHES, LEAVES>>(from),
+            1 => checked::<Sarsa<WORDS, ITEMS, ACTIONS, ROWS>>(from),
+            2 => checked::<Model<ACTIONS, STATES, LINKS>>(from),
+            3 => checked::<R>(from),
             _ => life!(check_fields, from),
         }
     }
 
     fn restore_section(&mut self, number: usize, from: &mut Reader<'_>) {
         match number {
-            0 => self.forest.restore(from),
-            1 => self.habits.restore(from),
-            2 => self.model.restore(from),
-            3 => self.reason.restore(from),
+            0 => restored(&mut self.forest, from),
+            1 => restored(&mut self.habits, from),
+            2 => restored(&mut self.model, from),
+            3 => restored(&mut self.reason, from),
             _ => life!(restore_fields, (self, from)),
         }
     }
@@ -159,4 +159,16 @@ impl<
     pub(super) const fn is_action(number: &u8) -> bool {
         *number == NO_ACTION || (*number as usize) < ACTIONS
     }
+}
+
+/// A function of its own for each part: a compiler that puts all of them into one takes minutes over it.
+#[inline(never)]
+fn checked<T: Stored>(from: &mut Reader<'_>) {
+    T::check(from);
+}
+
+/// Likewise.
+#[inline(never)]
+fn restored<T: Stored>(it: &mut T, from: &mut Reader<'_>) {
+    it.restore(from);
 }
