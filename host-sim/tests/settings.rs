@@ -1,0 +1,219 @@
+//! Settings by file and by name: what is written is taken again, and nothing else is.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A folder of this test's own, removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("host-sim-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).expect("the folder can be made");
+        Self(path)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // What the system cannot remove now it removes with its temporary files.
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn program(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
+    command.args(arguments).current_dir(folder);
+    command.stdin(Stdio::null());
+    command
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let output = program(folder, arguments).output();
+    output.expect("the program starts")
+}
+
+#[test]
+fn a_life_is_lived_again_from_the_settings_that_it_has_written() {
+    let folder = Folder::new("settings");
+    let arguments = "live --agent q --rival random --seeds 3..5 --damage dead:s3 --set agent.alpha=0.2 \
+         --set protocol={training=50,before=50,after=100} --set world.distractors=2 --out first";
+    let arguments: Vec<&str> = arguments.split_whitespace().collect();
+    assert!(run(&folder.0, &arguments).status.success());
+    let again = ["live", "--config", "first/settings.toml", "--out", "again"];
+    assert!(run(&folder.0, &again).status.success());
+    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    assert_eq!(read("again/settings.toml"), read("first/settings.toml"));
+    let measured = |path: &str| {
+        let mut summary: serde_json::Value = serde_json::from_str(&read(path)).expect(path);
+        let summary = summary.as_object_mut().expect("a table");
+        summary.retain(|key, _| key != "command" && key != "seal");
+        serde_json::to_string(summary).expect("JSON")
+    };
+    assert_eq!(
+        measured("again/summary.json"),
+        measured("first/summary.json")
+    );
+    assert!(read("first/settings.toml").contains("alpha = 0.2"));
+}
+
+#[test]
+fn another_name_than_that_of_the_file_is_another_life_not_another_label() {
+    let folder = Folder::new("names");
+    let short = "protocol={training=25,before=25,after=25}";
+    let live = |more: &[&str]| {
+        let output = run(&folder.0, &[&["live", "--set", short][..], more].concat());
+        let sentence = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{more:?}: {sentence}");
+    };
+    live(&["--agent", "forager", "--out", "forager"]);
+    live(&["--agent", "book", "--world", "noise-free", "--out", "book"]);
+    let file = ["--config", "forager/settings.toml"];
+    let names = ["--set", "agent.name=book", "--set", "world.name=noise-free"];
+    live(&[&file[..], &names, &["--out", "set"]].concat());
+    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    assert_eq!(read("set/settings.toml"), read("book/settings.toml"));
+    assert_ne!(read("set/settings.toml"), read("forager/settings.toml"));
+    // On a grid it is refused.
+    let grid = ["sweep", "--grid", "agent.name=book,forager"];
+    let output = run(&folder.0, &[&grid[..], &file].concat());
+    let sentence = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{sentence}");
+    assert!(
+        sentence.contains("there are settings of \"forager\""),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
+    let folder = Folder::new("settled");
+    fs::write(
+        folder.0.join("room.toml"),
+        "seeds = \"3..4\"\n[world]\nradius = 6.0\n[agent.habits]\nweight = 0.25\n",
+    )
+    .expect("a file");
+    let short = "protocol={training=300,before=1000,after=3000}";
+    for (name, arguments, said) in [
+        (
+            "forage",
+            "--config room.toml --set protocol.training=1000 --test-actions 100",
+            &[
+                "radius = 6.0",
+                "weight = 0.25",
+                "training = 1000",
+                "test = 100",
+            ][..],
+        ),
+        (
+            "recover",
+            &format!("--seeds 3 --radius 6 --damage dead:s3 --set {short}"),
+            &["radius = 6.0", "\"dead:s3\"", "after = 3000"],
+        ),
+        (
+            "one",
+            "--seeds 3 --parts lake --set shorter=200 --set agent.discount=0.9",
+            &[
+                "\"lake\"",
+                "shorter = 200",
+                "discount = 0.9",
+                "long = false",
+            ],
+        ),
+    ] {
+        let words = |text: &str| -> Vec<String> { text.split(' ').map(str::to_owned).collect() };
+        let (first, again) = (format!("{name}-first"), format!("{name}-again"));
+        let run = |arguments: &str, out: &str| {
+            let all = words(&format!("{name} {arguments} --out {out}"));
+            let all: Vec<&str> = all.iter().map(String::as_str).collect();
+            let output = run(&folder.0, &all);
+            let sentence = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{all:?}: {sentence}");
+        };
+        run(arguments, &first);
+        run(&format!("--config {first}/settings.toml"), &again);
+        let read = |folder_: &str, file: &str| {
+            let path = folder.0.join(folder_).join(file);
+            fs::read_to_string(path).expect("it was written")
+        };
+        let settings = read(&first, "settings.toml");
+        assert_eq!(read(&again, "settings.toml"), settings, "{name}");
+        for word in said {
+            assert!(settings.contains(word), "{name}: {word}: {settings}");
+        }
+        let claims = |of: &str| {
+            let summary = read(of, "summary.json");
+            let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+            summary["claims"].clone()
+        };
+        assert_eq!(claims(&again), claims(&first), "{name}");
+        // Nothing is concluded of changed settings.
+        let all = claims(&first);
+        let all = all.as_array().expect("claims");
+        assert!(!all.is_empty());
+        for claim in all {
+            assert_eq!(claim["origin"], "varied", "{name}: {claim}");
+        }
+    }
+    for (arguments, words) in [
+        (
+            "forage --set agent.gama=0.9",
+            "agent has no setting \"gama\"",
+        ),
+        ("forage --set world.radios=7", "did you mean world.radius?"),
+        (
+            "forage --set world.distractors=3",
+            "the Pioneer's bare room",
+        ),
+        (
+            "forage --set world.name=lake",
+            "the Pioneer's bare room, not in lake",
+        ),
+        (
+            "forage --set protocol.tests=3",
+            "did you mean protocol.test?",
+        ),
+        (
+            "recover --set agent.discount=0.9",
+            "there is no setting \"agent\"",
+        ),
+        (
+            "recover --set protocol.after=0",
+            "protocol.after is at least 1",
+        ),
+        (
+            "recover --set protocol.after=100",
+            "protocol.after is at least 3000 here, not 100",
+        ),
+        (
+            "one --set agent.discuont=0.9",
+            "did you mean agent.discount?",
+        ),
+        ("one --set agent.discount=1.5", "MindConfig::discount"),
+        ("one --set part=lake", "did you mean parts?"),
+        ("one --set shorter=0", "shorter is at least 1"),
+    ] {
+        let arguments: Vec<&str> = arguments.split(' ').collect();
+        let output = run(&folder.0, &arguments);
+        let sentence = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {sentence}");
+        assert!(sentence.contains(words), "{arguments:?}: {sentence}");
+        assert_eq!(sentence.lines().count(), 1, "{sentence}");
+    }
+}
+
+#[test]
+fn a_sweep_is_made_again_from_the_settings_that_it_has_written() {
+    let folder = Folder::new("sweep");
+    let arguments = "sweep --agent q --grid agent.alpha=0.1,0.2 --grid world.name=lake,keys --seeds 3..5 \
+         --set protocol={training=50,before=25,after=50} --out first";
+    let arguments: Vec<&str> = arguments.split_whitespace().collect();
+    assert!(run(&folder.0, &arguments).status.success());
+    let again = ["sweep", "--config", "first/settings.toml", "--out", "again"];
+    assert!(run(&folder.0, &again).status.success());
+    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    assert_eq!(read("again/settings.toml"), read("first/settings.toml"));
+    assert_eq!(read("again/results.jsonl"), read("first/results.jsonl"));
+    assert_eq!(read("first/results.jsonl").lines().count(), 8);
+}
