@@ -1,32 +1,16 @@
 //! The program as its user meets it: exit codes, sentences, and what is on disk afterwards.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
-/// A folder of this test's own, removed at its end.
-struct Folder(PathBuf);
+use tempfile::tempdir;
 
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("host-sim-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("the folder can be made");
-        Self(path)
-    }
-
-    fn names(&self) -> Vec<String> {
-        let entries = fs::read_dir(&self.0).expect("the folder can be read");
-        let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
-        entries.flatten().map(name).collect()
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What the system cannot remove now it removes with its temporary files.
-        let _ = fs::remove_dir_all(&self.0);
-    }
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("the folder can be read");
+    let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
+    entries.flatten().map(name).collect()
 }
 
 fn program(folder: &Path, arguments: &[&str]) -> Command {
@@ -43,10 +27,10 @@ fn run(folder: &Path, arguments: &[&str]) -> Output {
 
 #[test]
 fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() {
-    let folder = Folder::new("impossible");
-    fs::write(folder.0.join("outside.txt"), "9 9\n").expect("a layout");
-    fs::write(folder.0.join("malformed.txt"), "1 one\n").expect("a layout");
-    fs::write(folder.0.join("under.txt"), "0\n0 0\n").expect("a layout");
+    let folder = tempdir().expect("a folder");
+    fs::write(folder.path().join("outside.txt"), "9 9\n").expect("a layout");
+    fs::write(folder.path().join("malformed.txt"), "1 one\n").expect("a layout");
+    fs::write(folder.path().join("under.txt"), "0\n0 0\n").expect("a layout");
     for arguments in [
         &["--colour"][..],
         &["forage", "--layout", "under.txt"],
@@ -96,19 +80,19 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         &["hil", "--budget", "ram=1,ram=2"],
         &["mcu", "--processor", "z80"],
     ] {
-        let output = run(&folder.0, arguments);
+        let output = run(folder.path(), arguments);
         let sentence = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {sentence}");
         assert_eq!(sentence.lines().count(), 1, "{arguments:?}: {sentence}");
         assert!(sentence.starts_with("host-sim: "), "{sentence}");
         assert!(output.stdout.is_empty(), "{arguments:?}");
     }
-    assert_eq!(folder.names().len(), 3, "{:?}", folder.names());
+    assert_eq!(names(folder.path()).len(), 3, "{:?}", names(folder.path()));
 }
 
 #[test]
 fn a_negative_number_is_answered_alike_with_and_without_an_equals_sign() {
-    let folder = Folder::new("negative");
+    let folder = tempdir().expect("a folder");
     for (name, value) in [
         ("--radius", "-5"),
         ("--forward", "-0.5"),
@@ -117,8 +101,8 @@ fn a_negative_number_is_answered_alike_with_and_without_an_equals_sign() {
         ("--seeds", "-1"),
         ("--actions", "-1000"),
     ] {
-        let apart = run(&folder.0, &["forage", name, value]);
-        let together = run(&folder.0, &["forage", &format!("{name}={value}")]);
+        let apart = run(folder.path(), &["forage", name, value]);
+        let together = run(folder.path(), &["forage", &format!("{name}={value}")]);
         assert_eq!(apart.status.code(), Some(2));
         assert_eq!(apart.stderr, together.stderr);
         let sentence = String::from_utf8_lossy(&apart.stderr);
@@ -128,9 +112,9 @@ fn a_negative_number_is_answered_alike_with_and_without_an_equals_sign() {
 
 #[test]
 fn what_experiments_need_is_looked_for_before_anything_runs() {
-    let folder = Folder::new("tools");
+    let folder = tempdir().expect("a folder");
     for experiment in ["mcu", "hil"] {
-        let mut command = program(&folder.0, &[experiment]);
+        let mut command = program(folder.path(), &[experiment]);
         let command = command.env("PATH", "").env_remove("CARGO");
         let output = command.output().expect("the program starts");
         let sentence = String::from_utf8_lossy(&output.stderr);
@@ -140,20 +124,20 @@ fn what_experiments_need_is_looked_for_before_anything_runs() {
         assert!(sentence.starts_with(&said), "{sentence}");
         assert_eq!(sentence.lines().count(), 1, "{sentence}");
     }
-    assert!(folder.names().is_empty());
+    assert!(names(folder.path()).is_empty());
 }
 
 #[cfg(unix)]
 #[test]
 fn a_path_may_have_any_bytes() {
     use std::os::unix::ffi::OsStrExt;
-    let folder = Folder::new("bytes");
+    let folder = tempdir().expect("a folder");
     let name = std::ffi::OsStr::from_bytes(b"r\xffun");
-    let mut command = program(&folder.0, &["calibrate", "--out"]);
+    let mut command = program(folder.path(), &["calibrate", "--out"]);
     let output = command.arg(name).output().expect("the program starts");
     let sentence = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(0), "{sentence}");
-    let summary = fs::read_to_string(folder.0.join(name).join("summary.json"));
+    let summary = fs::read_to_string(folder.path().join(name).join("summary.json"));
     let summary = host_sim::report::Summary::from_json(&summary.expect("a claims file"));
     assert_eq!(
         summary.expect("a summary").command,
@@ -163,11 +147,11 @@ fn a_path_may_have_any_bytes() {
 
 #[test]
 fn a_run_that_cannot_write_says_so_before_it_trains() {
-    let folder = Folder::new("unwritable");
-    fs::write(folder.0.join("taken"), "a file").expect("a file");
+    let folder = tempdir().expect("a folder");
+    fs::write(folder.path().join("taken"), "a file").expect("a file");
     let started = std::time::Instant::now();
     let output = run(
-        &folder.0,
+        folder.path(),
         &["forage", "--seeds", "0..1000", "--out", "taken"],
     );
     let sentence = String::from_utf8_lossy(&output.stderr);
@@ -178,9 +162,9 @@ fn a_run_that_cannot_write_says_so_before_it_trains() {
 
 #[test]
 fn an_interrupted_run_leaves_whole_files_or_none() {
-    let folder = Folder::new("interrupted");
+    let folder = tempdir().expect("a folder");
     let mut child = program(
-        &folder.0,
+        folder.path(),
         &["forage", "--seeds", "0..1000", "--out", "here"],
     )
     .stdout(Stdio::null())
@@ -189,7 +173,7 @@ fn an_interrupted_run_leaves_whole_files_or_none() {
     .expect("the program starts");
     // A thousand worlds are looked at before the folder is made.
     for _ in 0..600 {
-        if folder.0.join("here").is_dir() {
+        if folder.path().join("here").is_dir() {
             break;
         }
         std::thread::sleep(Duration::from_millis(50));
@@ -202,7 +186,7 @@ fn an_interrupted_run_leaves_whole_files_or_none() {
     );
     child.kill().expect("it can be killed");
     child.wait().expect("it ends");
-    let left = fs::read_dir(folder.0.join("here")).expect("it was prepared");
+    let left = fs::read_dir(folder.path().join("here")).expect("it was prepared");
     // The journal has whole lines, and one that was cut off is no line.
     let names = left.flatten().map(|it| it.file_name());
     assert!(names.into_iter().all(|name| name == "trials.jsonl"));
@@ -210,13 +194,13 @@ fn an_interrupted_run_leaves_whole_files_or_none() {
 
 #[test]
 fn calibrate_writes_its_claims_and_pictures_and_shows_them() {
-    let folder = Folder::new("calibrate");
-    let output = run(&folder.0, &["calibrate", "--table", "--out", "here"]);
+    let folder = tempdir().expect("a folder");
+    let output = run(folder.path(), &["calibrate", "--table", "--out", "here"]);
     assert!(output.status.success());
     let out = String::from_utf8_lossy(&output.stdout);
     assert!(out.contains("calibrate.actions.R5_f0_5"));
     assert!(out.contains("24 claims: "), "{out}");
-    let here = folder.0.join("here");
+    let here = folder.path().join("here");
     let summary = fs::read_to_string(here.join("summary.json")).expect("a claims file");
     let summary = host_sim::report::Summary::from_json(&summary).expect("a summary");
     assert_eq!(summary.command, "host-sim calibrate --out here");
@@ -244,7 +228,7 @@ fn calibrate_writes_its_claims_and_pictures_and_shows_them() {
 
 #[test]
 fn a_run_that_exceeds_its_budget_says_so_and_ends_with_exit_code_1() {
-    let folder = Folder::new("budget");
+    let folder = tempdir().expect("a folder");
     let forage = |budget: &str| {
         let arguments = [
             "forage",
@@ -260,7 +244,7 @@ fn a_run_that_exceeds_its_budget_says_so_and_ends_with_exit_code_1() {
             "--budget",
             budget,
         ];
-        let output = run(&folder.0, &arguments);
+        let output = run(folder.path(), &arguments);
         let [out, err] = [&output.stdout, &output.stderr]
             .map(|stream| String::from_utf8_lossy(stream).into_owned());
         (output.status.code(), out, err)
@@ -272,7 +256,7 @@ fn a_run_that_exceeds_its_budget_says_so_and_ends_with_exit_code_1() {
         sentence.contains("more than ram=131072 allows"),
         "{sentence}"
     );
-    assert!(!folder.0.join("here/summary.json").exists());
+    assert!(!folder.path().join("here/summary.json").exists());
     // Too slow is known at the end: the results are there, and the run has failed.
     let (code, out, sentence) = forage("instructions=20k");
     assert_eq!(code, Some(1), "{sentence}");
@@ -283,7 +267,7 @@ fn a_run_that_exceeds_its_budget_says_so_and_ends_with_exit_code_1() {
         out.contains("instructions of 20,000 (Cortex-M4F, estimated"),
         "{out}"
     );
-    assert!(folder.0.join("here/summary.json").is_file());
+    assert!(folder.path().join("here/summary.json").is_file());
     let (code, out, _) = forage("instructions=1000k,ram=264KiB");
     assert_eq!(code, Some(0));
     // A life of one seed has no verdicts, and ends in a few lines that say how to get them.
@@ -303,9 +287,11 @@ fn a_run_that_exceeds_its_budget_says_so_and_ends_with_exit_code_1() {
 #[cfg(unix)]
 #[test]
 fn a_pipe_is_no_file_and_nobody_waits_for_its_end() {
-    let folder = Folder::new("pipes");
+    let folder = tempdir().expect("a folder");
     for name in ["pipe.toml", "pipe.mcap", "pipe.brain", "pipe.POMDP"] {
-        let made = Command::new("mkfifo").arg(folder.0.join(name)).status();
+        let made = Command::new("mkfifo")
+            .arg(folder.path().join(name))
+            .status();
         assert!(made.expect("there is mkfifo").success());
     }
     for (arguments, code) in [
@@ -317,7 +303,7 @@ fn a_pipe_is_no_file_and_nobody_waits_for_its_end() {
         (&["train", "--load", "pipe.brain"], 1),
         (&["train", "--actions", "1", "--save", "pipe.brain"], 1),
     ] {
-        let mut child = program(&folder.0, arguments)
+        let mut child = program(folder.path(), arguments)
             .stderr(Stdio::piped())
             .stdout(Stdio::null())
             .spawn()
@@ -340,22 +326,22 @@ fn a_pipe_is_no_file_and_nobody_waits_for_its_end() {
         assert!(sentence.contains("it is no file"), "{sentence}");
         assert_eq!(sentence.lines().count(), 1, "{sentence}");
     }
-    assert_eq!(folder.names().len(), 4, "{:?}", folder.names());
+    assert_eq!(names(folder.path()).len(), 4, "{:?}", names(folder.path()));
 }
 
 #[test]
 fn a_world_that_is_written_wrong_is_refused_with_its_place() {
-    let folder = Folder::new("worlds");
+    let folder = tempdir().expect("a folder");
     let shuttle = include_str!("../data/pomdp/shuttle_95.POMDP");
     let spoiled = shuttle.replacen("0.0 0.4 0.3 0.0 0.3", "0.0 0.4 0.3 0.0 0.4", 1);
-    fs::write(folder.0.join("sum.POMDP"), &spoiled).expect("a file");
+    fs::write(folder.path().join("sum.POMDP"), &spoiled).expect("a file");
     fs::write(
-        folder.0.join("half.toml"),
+        folder.path().join("half.toml"),
         "[agent]\nname = \"q\"\nalpha = 0..1\n",
     )
     .expect("a file");
     fs::write(
-        folder.0.join("name.toml"),
+        folder.path().join("name.toml"),
         "[agent]\nname = \"q\"\nalhpa = 0.1\n",
     )
     .expect("a file");
@@ -378,7 +364,7 @@ fn a_world_that_is_written_wrong_is_refused_with_its_place() {
             "did you mean agent.alpha?".to_owned(),
         ),
     ] {
-        let output = run(&folder.0, &arguments);
+        let output = run(folder.path(), &arguments);
         assert_eq!(output.status.code(), Some(2));
         let sentence = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(sentence.contains(&words), "{words}: {sentence}");

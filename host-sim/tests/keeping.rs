@@ -1,7 +1,6 @@
 //! Brains in files, as the program's user and its library meet them.
 
 use std::fs;
-use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use cla_core::agent::{Adaptation, AgentConfig};
@@ -11,32 +10,17 @@ use host_sim::learner::forager::Forager;
 use host_sim::learner::{Learner, live};
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::pioneer::Pioneer;
+use tempfile::{TempDir, tempdir};
 
-/// A folder of this test's own, removed at its end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("keeping-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What the system cannot remove now it removes with its temporary files.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn run(folder: &Folder, arguments: &str) -> Output {
+fn run(folder: &TempDir, arguments: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
-    let command = command.args(arguments.split(' ')).current_dir(&folder.0);
+    let command = command
+        .args(arguments.split(' '))
+        .current_dir(folder.path());
     command.output().unwrap()
 }
 
-fn said(folder: &Folder, arguments: &str) -> String {
+fn said(folder: &TempDir, arguments: &str) -> String {
     let output = run(folder, arguments);
     assert!(output.status.success(), "{output:?}");
     String::from_utf8(output.stdout).unwrap()
@@ -44,8 +28,8 @@ fn said(folder: &Folder, arguments: &str) -> String {
 
 #[test]
 fn a_life_that_is_stopped_and_gone_on_with_ends_in_the_same_bytes() {
-    let folder = Folder::new("resume");
-    let file = |name: &str| folder.0.join(name);
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str| folder.path().join(name);
     for (index, config) in [AgentConfig::FORAGER, AgentConfig::RESILIENT_LEVEL2]
         .into_iter()
         .enumerate()
@@ -80,13 +64,13 @@ fn a_life_that_is_stopped_and_gone_on_with_ends_in_the_same_bytes() {
         };
         assert!(end(&[700, 800, 1000]) == whole, "{config:?}");
     }
-    let left: Vec<_> = fs::read_dir(&folder.0).unwrap().flatten().collect();
+    let left: Vec<_> = fs::read_dir(folder.path()).unwrap().flatten().collect();
     assert_eq!(left.len(), 2, "{left:?}");
 }
 
 #[test]
 fn a_brain_is_trained_kept_gone_on_with_and_looked_into() {
-    let folder = Folder::new("program");
+    let folder = tempdir().expect("a folder");
     let first = said(
         &folder,
         "train --actions 1500 --brain forager-level2 --save a.brain",
@@ -102,7 +86,7 @@ fn a_brain_is_trained_kept_gone_on_with_and_looked_into() {
         "train --actions 300 --act relearning --load a.brain --save c.brain",
     );
     assert_eq!(again, second.replace("b.brain", "c.brain"));
-    let read = |name: &str| fs::read(folder.0.join(name)).unwrap();
+    let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
     assert!(read("b.brain") == read("c.brain") && read("a.brain") != read("b.brain"));
     let seen = said(&folder, "inspect a.brain --most 5");
     for word in [
@@ -120,7 +104,7 @@ fn a_brain_is_trained_kept_gone_on_with_and_looked_into() {
 
 #[test]
 fn a_mind_is_trained_kept_gone_on_with_and_looked_into() {
-    let folder = Folder::new("mind");
+    let folder = tempdir().expect("a folder");
     let first = said(&folder, "train --actions 1500 --brain mind --save a.brain");
     assert!(first.contains("trained for 1500 actions") && first.contains("leaves"));
     // The file says what it is.
@@ -144,7 +128,7 @@ fn a_mind_is_trained_kept_gone_on_with_and_looked_into() {
                 .contains("adapts in its own way")
         );
     }
-    let read = |name: &str| fs::read(folder.0.join(name)).unwrap();
+    let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
     assert!(read("b.brain") == read("c.brain") && read("a.brain") != read("b.brain"));
     let seen = said(&folder, "inspect a.brain --most 5 --page a.html");
     for word in [
@@ -158,7 +142,7 @@ fn a_mind_is_trained_kept_gone_on_with_and_looked_into() {
         assert!(seen.contains(word), "{word}: {seen}");
     }
     assert!(
-        fs::read_to_string(folder.0.join("a.html"))
+        fs::read_to_string(folder.path().join("a.html"))
             .unwrap()
             .contains("<svg class=\"graph\"")
     );
@@ -168,14 +152,14 @@ fn a_mind_is_trained_kept_gone_on_with_and_looked_into() {
     assert_eq!(whole["items"].as_array().unwrap().len(), 7);
     said(&folder, "export a.brain --json --out a.json");
     assert_eq!(
-        fs::read_to_string(folder.0.join("a.json")).unwrap(),
+        fs::read_to_string(folder.path().join("a.json")).unwrap(),
         exported
     );
 }
 
 #[test]
 fn the_brains_of_readme_are_trained_looked_into_and_compared_as_it_says() {
-    let folder = Folder::new("readme");
+    let folder = tempdir().expect("a folder");
     let readme = include_str!("../../README.md");
     let errands = ["train", "inspect", "diff", "replay", "export"];
     let commands = readme.lines().filter_map(|line| {
@@ -200,7 +184,7 @@ fn the_brains_of_readme_are_trained_looked_into_and_compared_as_it_says() {
 
 #[test]
 fn a_difference_names_what_was_learned_lost_and_revalued() {
-    let folder = Folder::new("diff");
+    let folder = tempdir().expect("a folder");
     said(
         &folder,
         "train --actions 1000 --brain forager-level2 --save a.brain",
@@ -241,9 +225,9 @@ fn a_difference_names_what_was_learned_lost_and_revalued() {
 
 #[test]
 fn a_file_that_is_no_brain_is_refused_in_a_sentence_and_stays() {
-    let folder = Folder::new("refused");
+    let folder = tempdir().expect("a folder");
     said(&folder, "train --actions 200 --save a.brain");
-    let whole = fs::read(folder.0.join("a.brain")).unwrap();
+    let whole = fs::read(folder.path().join("a.brain")).unwrap();
     let refused = |arguments: &str| {
         let output = run(&folder, arguments);
         assert_eq!(output.status.code(), Some(1), "{output:?}");
@@ -253,11 +237,11 @@ fn a_file_that_is_no_brain_is_refused_in_a_sentence_and_stays() {
     };
     let mut damaged = whole.clone();
     damaged[5000] ^= 4;
-    let with = |bytes: &[u8]| fs::write(folder.0.join("b.brain"), bytes).unwrap();
+    let with = |bytes: &[u8]| fs::write(folder.path().join("b.brain"), bytes).unwrap();
     with(&damaged);
     assert!(refused("inspect b.brain").contains("damaged in its"));
     assert!(refused("train --load b.brain --save b.brain").contains("damaged"));
-    assert!(fs::read(folder.0.join("b.brain")).unwrap() == damaged);
+    assert!(fs::read(folder.path().join("b.brain")).unwrap() == damaged);
     with(&whole[..whole.len() - 1]);
     assert!(refused("inspect b.brain").contains("the end of the image is missing"));
     with(&[&whole[..], &[0]].concat());

@@ -3,25 +3,26 @@
 //! `MCAP_PYTHON` names a Python that has it; `tests/run logs` installs one.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 use host_sim::logs::read_log;
 use serde_json::Value;
+use tempfile::TempDir;
 
 /// A folder of this test's own, removed at its end.
-struct Folder(PathBuf);
+struct Folder(TempDir);
 
 impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("logs-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
+    fn new() -> Self {
+        Self(tempfile::tempdir().expect("a folder"))
     }
 
     fn run(&self, arguments: &str) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
-        let command = command.args(arguments.split(' ')).current_dir(&self.0);
+        let command = command
+            .args(arguments.split(' '))
+            .current_dir(self.0.path());
         command.output().unwrap()
     }
 
@@ -32,28 +33,21 @@ impl Folder {
     }
 }
 
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What the system cannot remove now it removes with its temporary files.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
 const TRAIN: &str = "train --actions 1200 --brain resilient-level2 --seed 7";
 
 #[test]
 fn all_forms_of_a_log_say_the_same_and_a_log_changes_no_life() {
-    let folder = Folder::new("forms");
+    let folder = Folder::new();
     let plain = folder.said(&format!("{TRAIN} --save a.brain"));
     let logged = folder.said(&format!(
         "{TRAIN} --save b.brain --log a.mcap --log a.jsonl --log a.csv"
     ));
-    let read = |name: &str| fs::read(folder.0.join(name)).unwrap();
+    let read = |name: &str| fs::read(folder.0.path().join(name)).unwrap();
     assert!(read("a.brain") == read("b.brain"));
     assert!(logged.contains("logged 1200 actions in a.mcap"), "{logged}");
     assert_eq!(plain.lines().next(), logged.lines().next());
     let (mcap, lines) = ["a.mcap", "a.jsonl"]
-        .map(|it| read_log(&folder.0.join(it)).unwrap())
+        .map(|it| read_log(&folder.0.path().join(it)).unwrap())
         .into();
     assert_eq!(mcap, lines);
     // Nothing is lost: all captures that the life is said to have had, those of its last action, too.
@@ -83,7 +77,7 @@ fn all_forms_of_a_log_say_the_same_and_a_log_changes_no_life() {
 
 #[test]
 fn what_is_no_log_is_refused_in_a_sentence() {
-    let folder = Folder::new("refused");
+    let folder = Folder::new();
     let refused = |arguments: &str, code| {
         let output = folder.run(arguments);
         assert_eq!(output.status.code(), Some(code), "{output:?}");
@@ -92,10 +86,10 @@ fn what_is_no_log_is_refused_in_a_sentence() {
         sentence
     };
     folder.said("train --actions 300 --log a.mcap");
-    let whole = fs::read(folder.0.join("a.mcap")).unwrap();
-    fs::write(folder.0.join("b.mcap"), &whole[..whole.len() / 2]).unwrap();
+    let whole = fs::read(folder.0.path().join("a.mcap")).unwrap();
+    fs::write(folder.0.path().join("b.mcap"), &whole[..whole.len() / 2]).unwrap();
     assert!(refused("replay b.mcap", 1).contains("cut off or damaged"));
-    fs::write(folder.0.join("c.mcap"), b"nothing").unwrap();
+    fs::write(folder.0.path().join("c.mcap"), b"nothing").unwrap();
     assert!(refused("replay c.mcap", 1).contains("c.mcap"));
     assert!(refused("replay none.mcap", 1).contains("none.mcap"));
     assert!(refused("train --actions 300 --log a.bag", 2).contains("a.bag"));
@@ -118,9 +112,9 @@ fn the_package_of_pypi_reads_what_was_written() {
         println!("skipped: MCAP_PYTHON names no Python; tests/run logs does");
         return;
     };
-    let folder = Folder::new("pypi");
+    let folder = Folder::new();
     folder.said(&format!("{TRAIN} --log a.mcap"));
-    let log = folder.0.join("a.mcap");
+    let log = folder.0.path().join("a.mcap");
     let (life, steps) = read_log(&log).unwrap();
     let seen = in_python(&python, &log);
     let alarms = steps.iter().filter(|it| it.alarm.is_some()).count();

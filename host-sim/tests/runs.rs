@@ -5,42 +5,34 @@
 #![cfg(unix)]
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use cla_core::num::Rng;
 use host_sim::report::Summary;
+use tempfile::TempDir;
 
 /// A folder of this test's own, removed at its end.
-struct Folder(PathBuf);
+struct Folder(TempDir);
 
 impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("host-sim-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("the folder can be made");
-        Self(path)
+    fn new() -> Self {
+        Self(tempfile::tempdir().expect("a folder"))
     }
 
     fn read(&self, name: &str) -> String {
-        let path = self.0.join(name);
+        let path = self.0.path().join(name);
         fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     }
 
     /// The trials that a run has noted in full.
     fn trials(&self, directory: &str) -> usize {
-        let journal = fs::read(self.0.join(directory).join("trials.jsonl"));
+        let journal = fs::read(self.0.path().join(directory).join("trials.jsonl"));
         let lines = journal.unwrap_or_default();
         let lines = lines.iter().filter(|&&byte| byte == b'\n').count();
         lines.saturating_sub(1)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What the system cannot remove now it removes with its temporary files.
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
@@ -90,10 +82,10 @@ fn wait_for(folder: &Folder, directory: &str, trials: usize) {
 #[test]
 fn a_run_that_was_killed_again_and_again_ends_as_one_that_was_left_alone() {
     let kills = std::env::var("KILLS").map_or(6, |it| it.parse().expect("a number"));
-    let (left_alone, killed) = (Folder::new("left-alone"), Folder::new("killed"));
+    let (left_alone, killed) = (Folder::new(), Folder::new());
     let begun = Instant::now();
     assert!(
-        run(&left_alone.0, "0..4", &["--out", "here"])
+        run(left_alone.0.path(), "0..4", &["--out", "here"])
             .status
             .success()
     );
@@ -101,14 +93,14 @@ fn a_run_that_was_killed_again_and_again_ends_as_one_that_was_left_alone() {
     let mut rng = Rng::new(12);
     let (mut dealt, mut rounds, mut gone_on) = (0, 0, 0);
     while dealt < kills {
-        let journal = killed.0.join("here/trials.jsonl");
+        let journal = killed.0.path().join("here/trials.jsonl");
         let begin: &[&str] = if journal.exists() {
             gone_on += usize::from(killed.trials("here") > 0);
             &["--out", "here", "--resume"]
         } else {
             &["--out", "here"]
         };
-        let mut child = start(&killed.0, "0..4", begin);
+        let mut child = start(killed.0.path(), "0..4", begin);
         sleep(Duration::from_millis(u64::from(rng.below(whole))));
         if rng.below(2) == 0 {
             child.kill().expect("it can be killed");
@@ -119,19 +111,19 @@ fn a_run_that_was_killed_again_and_again_ends_as_one_that_was_left_alone() {
         dealt += usize::from(!ended.success());
         if ended.success() || killed.trials("here") == 4 {
             // All is done: what it says is compared, and another run is begun.
-            let last = run(&killed.0, "0..4", &["--out", "here", "--resume"]);
+            let last = run(killed.0.path(), "0..4", &["--out", "here", "--resume"]);
             assert!(last.status.success(), "{}", sentence(&last));
             compare(&left_alone, &killed);
-            fs::remove_dir_all(killed.0.join("here")).expect("it can be removed");
+            fs::remove_dir_all(killed.0.path().join("here")).expect("it can be removed");
             rounds += 1;
         }
     }
-    let begin: &[&str] = if killed.0.join("here/trials.jsonl").exists() {
+    let begin: &[&str] = if killed.0.path().join("here/trials.jsonl").exists() {
         &["--out", "here", "--resume"]
     } else {
         &["--out", "here"]
     };
-    let last = run(&killed.0, "0..4", begin);
+    let last = run(killed.0.path(), "0..4", begin);
     assert!(last.status.success(), "{}", sentence(&last));
     compare(&left_alone, &killed);
     println!(
@@ -143,13 +135,13 @@ fn a_run_that_was_killed_again_and_again_ends_as_one_that_was_left_alone() {
 /// Every file is the same to the byte but the journal, whose trials may stand in another order, and
 /// what tells of the time.
 fn compare(left_alone: &Folder, killed: &Folder) {
-    let entries = fs::read_dir(left_alone.0.join("here")).expect("it was written");
+    let entries = fs::read_dir(left_alone.0.path().join("here")).expect("it was written");
     let mut compared = 0;
     for entry in entries.flatten() {
         let name = entry.file_name();
         if name != "trials.jsonl" && name != "run.json" {
             let ours = fs::read(entry.path()).expect("it can be read");
-            let other = fs::read(killed.0.join("here").join(&name)).expect("it was written");
+            let other = fs::read(killed.0.path().join("here").join(&name)).expect("it was written");
             assert!(ours == other, "{} differs", name.display());
             compared += 1;
         }
@@ -166,8 +158,8 @@ fn compare(left_alone: &Folder, killed: &Folder) {
 
 #[test]
 fn a_run_that_is_asked_to_end_says_what_it_has_and_goes_on_another_day() {
-    let folder = Folder::new("asked");
-    let mut child = start(&folder.0, "0..200", &["--out", "here"]);
+    let folder = Folder::new();
+    let mut child = start(folder.0.path(), "0..200", &["--out", "here"]);
     wait_for(&folder, "here", 2);
     assert_eq!(child.try_wait().expect("it can be asked"), None);
     terminate(&child);
@@ -195,7 +187,7 @@ fn a_run_that_is_asked_to_end_says_what_it_has_and_goes_on_another_day() {
         ),
     ] {
         let other = run(
-            &folder.0,
+            folder.0.path(),
             seeds,
             &[&["--out", "here", "--resume"], more].concat(),
         );
@@ -206,7 +198,7 @@ fn a_run_that_is_asked_to_end_says_what_it_has_and_goes_on_another_day() {
         );
     }
     assert_eq!(folder.trials("here"), done);
-    let child = start(&folder.0, "0..200", &["--out", "here", "--resume"]);
+    let child = start(folder.0.path(), "0..200", &["--out", "here", "--resume"]);
     wait_for(&folder, "here", done + 1);
     terminate(&child);
     let output = child.wait_with_output().expect("it ends");
@@ -215,14 +207,14 @@ fn a_run_that_is_asked_to_end_says_what_it_has_and_goes_on_another_day() {
 
 #[test]
 fn a_shard_that_is_asked_to_end_goes_on_by_the_same_command() {
-    let folder = Folder::new("shard");
+    let folder = Folder::new();
     let sweep = |after: u32| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
         command.args(["sweep", "--agent", "q", "--grid", "agent.alpha=0.1,0.2"]);
         command.args(["--seeds", "0..4", "--shard", "1/2", "--out", "here"]);
         let protocol = format!("protocol={{training=40000,before=100,after={after}}}");
         command.args(["--set", &protocol]);
-        command.current_dir(&folder.0).stdin(Stdio::null());
+        command.current_dir(folder.0.path()).stdin(Stdio::null());
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     };
@@ -236,7 +228,7 @@ fn a_shard_that_is_asked_to_end_goes_on_by_the_same_command() {
     let said =
         format!("host-sim: interrupted after {done} of 4 trials; the same command goes on\n");
     assert_eq!(sentence(&output), said);
-    assert!(!folder.0.join(below).join("summary.json").exists());
+    assert!(!folder.0.path().join(below).join("summary.json").exists());
     // Another sweep does not go on there.
     let other = sweep(125).output().expect("the program starts");
     assert_eq!(other.status.code(), Some(1), "{}", sentence(&other));
@@ -247,16 +239,20 @@ fn a_shard_that_is_asked_to_end_goes_on_by_the_same_command() {
     assert_eq!(folder.trials(below), 4);
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(said.contains("shard 1/2 is made"), "{said}");
-    assert!(folder.0.join(below).join("settings.toml").is_file());
+    assert!(folder.0.path().join(below).join("settings.toml").is_file());
 }
 
 #[test]
 fn of_two_runs_into_one_folder_one_is_refused_and_none_harmed() {
-    let folder = Folder::new("two");
-    let first = start(&folder.0, "0..4", &["--out", "here"]);
+    let folder = Folder::new();
+    let first = start(folder.0.path(), "0..4", &["--out", "here"]);
     wait_for(&folder, "here", 1);
     for more in [&[][..], &["--force"], &["--resume"]] {
-        let second = run(&folder.0, "0..4", &[&["--out", "here"], more].concat());
+        let second = run(
+            folder.0.path(),
+            "0..4",
+            &[&["--out", "here"], more].concat(),
+        );
         assert_eq!(second.status.code(), Some(1), "{more:?}");
         assert_eq!(
             sentence(&second),
@@ -269,7 +265,7 @@ fn of_two_runs_into_one_folder_one_is_refused_and_none_harmed() {
     assert_eq!(folder.trials("here"), 4);
     // Afterwards it is not overwritten by chance, and on demand it is.
     let summary = folder.read("here/summary.json");
-    let again = run(&folder.0, "0..1", &["--out", "here"]);
+    let again = run(folder.0.path(), "0..1", &["--out", "here"]);
     assert_eq!(again.status.code(), Some(1));
     assert!(
         sentence(&again).contains("--force replaces it"),
@@ -278,7 +274,7 @@ fn of_two_runs_into_one_folder_one_is_refused_and_none_harmed() {
     );
     assert_eq!(folder.read("here/summary.json"), summary);
     assert!(
-        run(&folder.0, "0..1", &["--out", "here", "--force"])
+        run(folder.0.path(), "0..1", &["--out", "here", "--force"])
             .status
             .success()
     );
@@ -287,10 +283,10 @@ fn of_two_runs_into_one_folder_one_is_refused_and_none_harmed() {
 
 #[test]
 fn runs_without_a_directory_have_one_each_and_latest_leads_to_the_last() {
-    let folder = Folder::new("by-time");
-    assert!(run(&folder.0, "0", &[]).status.success());
-    assert!(run(&folder.0, "1", &[]).status.success());
-    let runs = fs::read_dir(folder.0.join("runs/forage")).expect("it is there");
+    let folder = Folder::new();
+    assert!(run(folder.0.path(), "0", &[]).status.success());
+    assert!(run(folder.0.path(), "1", &[]).status.success());
+    let runs = fs::read_dir(folder.0.path().join("runs/forage")).expect("it is there");
     let directories: Vec<_> = runs
         .flatten()
         .filter(|it| it.file_type().is_ok_and(|it| it.is_dir()))
@@ -299,22 +295,22 @@ fn runs_without_a_directory_have_one_each_and_latest_leads_to_the_last() {
     let latest = folder.read("runs/forage/latest/summary.json");
     assert_eq!(Summary::from_json(&latest).expect("a summary").seeds, [1]);
     // The latest is gone on with, though there is nothing left to do.
-    assert!(run(&folder.0, "1", &["--resume"]).status.success());
+    assert!(run(folder.0.path(), "1", &["--resume"]).status.success());
     assert_eq!(folder.read("runs/forage/latest/summary.json"), latest);
-    let none = run(&folder.0.join("runs"), "1", &["--resume"]);
+    let none = run(&folder.0.path().join("runs"), "1", &["--resume"]);
     assert!(sentence(&none).contains("there is no run to resume"));
 }
 
 #[test]
 fn a_full_disk_stops_a_run_that_goes_on_when_there_is_room() {
-    let (left_alone, full) = (Folder::new("roomy"), Folder::new("full"));
+    let (left_alone, full) = (Folder::new(), Folder::new());
     assert!(
-        run(&left_alone.0, "0..3", &["--out", "here"])
+        run(left_alone.0.path(), "0..3", &["--out", "here"])
             .status
             .success()
     );
     let journal = left_alone.read("here/trials.jsonl").len();
-    let command = forage(&full.0, "0..3", &["--out", "here"]);
+    let command = forage(full.0.path(), "0..3", &["--out", "here"]);
     let words = command.get_args().map(|it| it.to_str().expect("text"));
     let words: Vec<&str> = words.collect();
     // Files may have no more than half of what the journal needs.
@@ -326,7 +322,7 @@ fn a_full_disk_stops_a_run_that_goes_on_when_there_is_room() {
     );
     let output = Command::new("bash")
         .args(["-c", &script])
-        .current_dir(&full.0)
+        .current_dir(full.0.path())
         .output();
     let output = output.expect("there is bash");
     assert_eq!(output.status.code(), Some(1));
@@ -341,7 +337,7 @@ fn a_full_disk_stops_a_run_that_goes_on_when_there_is_room() {
         "{}",
         text.len()
     );
-    let output = run(&full.0, "0..3", &["--out", "here", "--resume"]);
+    let output = run(full.0.path(), "0..3", &["--out", "here", "--resume"]);
     assert!(output.status.success(), "{}", sentence(&output));
     compare(&left_alone, &full);
 }

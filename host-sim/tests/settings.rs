@@ -1,49 +1,27 @@
 //! Settings by file and by name: what is written is taken again, and nothing else is.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::{Command, Output};
 
-/// A folder of this test's own, removed at its end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("host-sim-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).expect("the folder can be made");
-        Self(path)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What the system cannot remove now it removes with its temporary files.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
-fn program(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
-    command.args(arguments).current_dir(folder);
-    command.stdin(Stdio::null());
-    command
-}
+use tempfile::tempdir;
 
 fn run(folder: &Path, arguments: &[&str]) -> Output {
-    let output = program(folder, arguments).output();
-    output.expect("the program starts")
+    let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
+    let command = command.args(arguments).current_dir(folder);
+    command.output().expect("the program starts")
 }
 
 #[test]
 fn a_life_is_lived_again_from_the_settings_that_it_has_written() {
-    let folder = Folder::new("settings");
+    let folder = tempdir().expect("a folder");
     let arguments = "live --agent q --rival random --seeds 3..5 --damage dead:s3 --set agent.alpha=0.2 \
          --set protocol={training=50,before=50,after=100} --set world.distractors=2 --out first";
     let arguments: Vec<&str> = arguments.split_whitespace().collect();
-    assert!(run(&folder.0, &arguments).status.success());
+    assert!(run(folder.path(), &arguments).status.success());
     let again = ["live", "--config", "first/settings.toml", "--out", "again"];
-    assert!(run(&folder.0, &again).status.success());
-    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    assert!(run(folder.path(), &again).status.success());
+    let read = |path: &str| fs::read_to_string(folder.path().join(path)).expect(path);
     assert_eq!(read("again/settings.toml"), read("first/settings.toml"));
     let measured = |path: &str| {
         let mut summary: serde_json::Value = serde_json::from_str(&read(path)).expect(path);
@@ -60,10 +38,13 @@ fn a_life_is_lived_again_from_the_settings_that_it_has_written() {
 
 #[test]
 fn another_name_than_that_of_the_file_is_another_life_not_another_label() {
-    let folder = Folder::new("names");
+    let folder = tempdir().expect("a folder");
     let short = "protocol={training=25,before=25,after=25}";
     let live = |more: &[&str]| {
-        let output = run(&folder.0, &[&["live", "--set", short][..], more].concat());
+        let output = run(
+            folder.path(),
+            &[&["live", "--set", short][..], more].concat(),
+        );
         let sentence = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{more:?}: {sentence}");
     };
@@ -72,12 +53,12 @@ fn another_name_than_that_of_the_file_is_another_life_not_another_label() {
     let file = ["--config", "forager/settings.toml"];
     let names = ["--set", "agent.name=book", "--set", "world.name=noise-free"];
     live(&[&file[..], &names, &["--out", "set"]].concat());
-    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    let read = |path: &str| fs::read_to_string(folder.path().join(path)).expect(path);
     assert_eq!(read("set/settings.toml"), read("book/settings.toml"));
     assert_ne!(read("set/settings.toml"), read("forager/settings.toml"));
     // On a grid it is refused.
     let grid = ["sweep", "--grid", "agent.name=book,forager"];
-    let output = run(&folder.0, &[&grid[..], &file].concat());
+    let output = run(folder.path(), &[&grid[..], &file].concat());
     let sentence = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{sentence}");
     assert!(
@@ -88,9 +69,9 @@ fn another_name_than_that_of_the_file_is_another_life_not_another_label() {
 
 #[test]
 fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
-    let folder = Folder::new("settled");
+    let folder = tempdir().expect("a folder");
     fs::write(
-        folder.0.join("room.toml"),
+        folder.path().join("room.toml"),
         "seeds = \"3..4\"\n[world]\nradius = 6.0\n[agent.habits]\nweight = 0.25\n",
     )
     .expect("a file");
@@ -127,14 +108,14 @@ fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
         let run = |arguments: &str, out: &str| {
             let all = words(&format!("{name} {arguments} --out {out}"));
             let all: Vec<&str> = all.iter().map(String::as_str).collect();
-            let output = run(&folder.0, &all);
+            let output = run(folder.path(), &all);
             let sentence = String::from_utf8_lossy(&output.stderr);
             assert!(output.status.success(), "{all:?}: {sentence}");
         };
         run(arguments, &first);
         run(&format!("--config {first}/settings.toml"), &again);
         let read = |folder_: &str, file: &str| {
-            let path = folder.0.join(folder_).join(file);
+            let path = folder.path().join(folder_).join(file);
             fs::read_to_string(path).expect("it was written")
         };
         let settings = read(&first, "settings.toml");
@@ -195,7 +176,7 @@ fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
         ("one --set shorter=0", "shorter is at least 1"),
     ] {
         let arguments: Vec<&str> = arguments.split(' ').collect();
-        let output = run(&folder.0, &arguments);
+        let output = run(folder.path(), &arguments);
         let sentence = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {sentence}");
         assert!(sentence.contains(words), "{arguments:?}: {sentence}");
@@ -205,14 +186,14 @@ fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
 
 #[test]
 fn a_sweep_is_made_again_from_the_settings_that_it_has_written() {
-    let folder = Folder::new("sweep");
+    let folder = tempdir().expect("a folder");
     let arguments = "sweep --agent q --grid agent.alpha=0.1,0.2 --grid world.name=lake,keys --seeds 3..5 \
          --set protocol={training=50,before=25,after=50} --out first";
     let arguments: Vec<&str> = arguments.split_whitespace().collect();
-    assert!(run(&folder.0, &arguments).status.success());
+    assert!(run(folder.path(), &arguments).status.success());
     let again = ["sweep", "--config", "first/settings.toml", "--out", "again"];
-    assert!(run(&folder.0, &again).status.success());
-    let read = |path: &str| fs::read_to_string(folder.0.join(path)).expect(path);
+    assert!(run(folder.path(), &again).status.success());
+    let read = |path: &str| fs::read_to_string(folder.path().join(path)).expect(path);
     assert_eq!(read("again/settings.toml"), read("first/settings.toml"));
     assert_eq!(read("again/results.jsonl"), read("first/results.jsonl"));
     assert_eq!(read("first/results.jsonl").lines().count(), 8);

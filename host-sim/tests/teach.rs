@@ -11,19 +11,18 @@ use std::process::{Command, Output};
 
 use cla_core::snapshot::{Names, check};
 use host_sim::teaching::{Log, Mapping, Pupil, share, teach};
+use tempfile::TempDir;
 
 /// A folder of this test's own, removed at its end.
-struct Folder(PathBuf);
+struct Folder(TempDir);
 
 impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("teach-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
+    fn new() -> Self {
+        Self(tempfile::tempdir().expect("a folder"))
     }
 
     fn write(&self, name: &str, text: &str) -> PathBuf {
-        let path = self.0.join(name);
+        let path = self.0.path().join(name);
         fs::write(&path, text).unwrap();
         path
     }
@@ -34,21 +33,16 @@ impl Folder {
 
     fn run(&self, arguments: &str) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_host-sim"));
-        let command = command.args(arguments.split(' ')).current_dir(&self.0);
+        let command = command
+            .args(arguments.split(' '))
+            .current_dir(self.0.path());
         command.output().unwrap()
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What the system cannot remove now it removes with its temporary files.
-        let _ = fs::remove_dir_all(&self.0);
     }
 }
 
 #[test]
 fn what_24_ranges_will_be_is_foretold_better_than_that_nothing_changes() {
-    let folder = Folder::new("ranges");
+    let folder = Folder::new();
     let mapping = folder.mapping(&ranges::mapping());
     let log = Log::parse(ranges::log(5000, 7).as_bytes(), &mapping).unwrap();
     assert_eq!((log.items.len(), log.actions.len()), (36, 4));
@@ -81,7 +75,7 @@ fn what_24_ranges_will_be_is_foretold_better_than_that_nothing_changes() {
 
 #[test]
 fn a_log_whose_actions_say_nothing_of_what_comes_teaches_nothing() {
-    let folder = Folder::new("noise");
+    let folder = Folder::new();
     let mapping = folder.mapping(
         "[action]\ncolumn = \"act\"\nnames = [\"a\", \"b\"]\n[[item]]\ncolumn = \"x\"\nabove = 0.5\n",
     );
@@ -99,7 +93,7 @@ fn a_log_whose_actions_say_nothing_of_what_comes_teaches_nothing() {
 
 #[test]
 fn a_brain_is_taught_kept_and_shown_by_the_program() {
-    let folder = Folder::new("program");
+    let folder = Folder::new();
     folder.write("ranges.csv", &ranges::log(1200, 3));
     folder.write("ranges.toml", &ranges::mapping());
     let teach = "teach --log ranges.csv --mapping ranges.toml --page a.html --save";
@@ -115,10 +109,10 @@ fn a_brain_is_taught_kept_and_shown_by_the_program() {
         assert!(first.contains(who), "{first}");
     }
     assert_eq!(said("b.brain"), first.replace("a.brain", "b.brain"));
-    let read = |name: &str| fs::read(folder.0.join(name)).unwrap();
+    let read = |name: &str| fs::read(folder.0.path().join(name)).unwrap();
     let image = read("a.brain");
     assert!(image == read("b.brain"));
-    let mapping = Mapping::read(&folder.0.join("ranges.toml")).unwrap();
+    let mapping = Mapping::read(&folder.0.path().join("ranges.toml")).unwrap();
     let items = mapping.names();
     let items: Vec<&str> = items.iter().map(String::as_str).collect();
     let actions: Vec<&str> = mapping.action.names.iter().map(String::as_str).collect();
@@ -139,7 +133,7 @@ const MAPPING: &str = "unknown = [\"?\"]\nepisode = \"run\"\n\
 
 #[test]
 fn columns_become_items_by_thresholds_bins_and_categories() {
-    let folder = Folder::new("items");
+    let folder = Folder::new();
     let mapping = folder.mapping(MAPPING);
     let log = "range,mode,run,act\n0.8,day,1,go\n1.05,night,1,stay\n?,day,1,go\n2.5,day,2,go\n1.05,day,2,go\n";
     let log = Log::parse(log.as_bytes(), &mapping).unwrap();
@@ -178,7 +172,7 @@ fn columns_become_items_by_thresholds_bins_and_categories() {
 
 #[test]
 fn a_log_without_names_has_numbers_for_its_columns() {
-    let folder = Folder::new("numbers");
+    let folder = Folder::new();
     let mapping = folder.mapping(
         "header = false\nseparator = \";\"\n[action]\ncolumn = \"2\"\nnames = [\"a\"]\n\
          [[item]]\ncolumn = \"1\"\nabove = 0\n",
@@ -192,7 +186,7 @@ fn a_log_without_names_has_numbers_for_its_columns() {
 
 #[test]
 fn what_is_wrong_in_a_log_is_named_with_line_and_column() {
-    let folder = Folder::new("wrong");
+    let folder = Folder::new();
     let mapping = folder.mapping(MAPPING);
     let whole = "range,mode,run,act\n0.8,day,1,go\n1.05,night,1,stay\n";
     assert!(Log::parse(whole.as_bytes(), &mapping).is_ok());

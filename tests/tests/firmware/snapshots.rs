@@ -1,7 +1,6 @@
 //! A brain that moves: saved on the host, gone on with on an emulated board, taken back.
 
 use std::fs;
-use std::path::PathBuf;
 
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::pioneer;
@@ -10,25 +9,19 @@ use firmware_example::trace::{ACTIONS, SEED};
 use host_sim::device::board::{Build, Printed};
 use host_sim::device::target::Target;
 use host_sim::keeping::{keep, recall};
+use tempfile::{TempDir, tempdir};
 
 use super::budget::{Tolerance, hold};
 
-/// A folder of this test's own, removed at its end.
-struct Folder(PathBuf);
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What the system cannot remove now it removes with its temporary files.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
-
 /// What the board printed; `None` when it refused the image.
-fn on_board(folder: &Folder) -> (bool, String) {
+fn on_board(folder: &TempDir) -> (bool, String) {
     let build = Build::new(Target::M4f, "snapshot");
     let program = build.build().unwrap_or_else(|error| panic!("{error}"));
     let mut emulator = Target::M4f.emulator(&program);
-    let output = emulator.current_dir(&folder.0).output().expect("QEMU runs");
+    let output = emulator
+        .current_dir(folder.path())
+        .output()
+        .expect("QEMU runs");
     let printed = String::from_utf8_lossy(&output.stdout).into_owned();
     (output.status.success(), printed)
 }
@@ -104,9 +97,8 @@ fn scrubbed(printed: &Printed) {
 
 #[test]
 fn a_life_goes_from_the_host_to_a_board_and_back_and_nobody_can_tell() {
-    let folder = Folder(std::env::temp_dir().join(format!("moving-{}", std::process::id())));
-    fs::create_dir_all(&folder.0).expect("a folder");
-    let (there, back) = (folder.0.join(TO_BOARD), folder.0.join(FROM_BOARD));
+    let folder = tempdir().expect("a folder");
+    let (there, back) = (folder.path().join(TO_BOARD), folder.path().join(FROM_BOARD));
     let mut home = at_home();
     let sent = keep(&*home, names(), &there).expect("it is saved");
     let (taken, printed) = on_board(&folder);
@@ -114,7 +106,7 @@ fn a_life_goes_from_the_host_to_a_board_and_back_and_nobody_can_tell() {
     println!("{printed}");
     // The life that was never interrupted, on this machine.
     let print = live(&mut home, THERE, BACK).expect("it lives");
-    let whole = folder.0.join("whole.brain");
+    let whole = folder.path().join("whole.brain");
     let bytes = keep(&*home, names(), &whole).expect("it is saved");
     for line in [
         format!("loaded {sent}"),

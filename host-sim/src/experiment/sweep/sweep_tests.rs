@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
+use tempfile::{TempDir, tempdir};
 
 use super::{Axis, Shard, Sweep, SweepOptions, merge};
 use crate::experiment::live::LiveOptions;
@@ -12,24 +13,6 @@ use crate::experiment::record::judged_again;
 use crate::progress::Progress;
 use crate::report::{Begin, Journal, Output, Results};
 use crate::settings::parse;
-
-/// A folder of a test's own, removed at its end.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("cla-sweep-{name}-{}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
-        Self(path)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // What the system cannot remove now it removes with its temporary files.
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
 
 /// Two points of six lives.
 fn sweep(alphas: &str, shard: Option<&str>) -> SweepOptions {
@@ -58,10 +41,10 @@ fn run(options: &SweepOptions, directory: &Path) -> Results {
 }
 
 /// Makes these shards of four.
-fn shards(folder: &Folder, which: &[u32]) -> Vec<PathBuf> {
+fn shards(folder: &TempDir, which: &[u32]) -> Vec<PathBuf> {
     let make = |index: &u32| {
         let options = sweep("0.1,0.2", Some(&format!("{index}/4")));
-        let directory = folder.0.join(options.shard.unwrap().directory());
+        let directory = folder.path().join(options.shard.unwrap().directory());
         run(&options, &directory);
         directory
     };
@@ -70,23 +53,21 @@ fn shards(folder: &Folder, which: &[u32]) -> Vec<PathBuf> {
 
 #[test]
 fn shards_are_judged_as_one_process_would_have_to_the_bit() {
-    let folder = Folder::new("whole");
-    let whole = run(&sweep("0.1,0.2", None), &folder.0.join("one"));
-    let below = Folder::new("parts");
+    let folder = tempdir().expect("a folder");
+    let whole = run(&sweep("0.1,0.2", None), &folder.path().join("one"));
+    let below = tempdir().expect("a folder");
     // The last one dies with its last life half written, and goes on.
     let made = shards(&below, &[2, 0, 3, 1]);
     let journal = made[3].join(Journal::NAME);
     let text = fs::read_to_string(&journal).unwrap();
     assert_eq!(text.lines().count(), 4);
     fs::write(&journal, &text[..text.len() - 9]).unwrap();
-    let refused = merge(std::slice::from_ref(&below.0))
-        .unwrap_err()
-        .to_string();
+    let refused = merge(&[below.path().to_owned()]).unwrap_err().to_string();
     assert!(refused.contains("1 of 12 trials are missing") && refused.contains("shard 1/4"));
     run(&sweep("0.1,0.2", Some("1/4")), &made[3]);
-    let merged = merge(std::slice::from_ref(&below.0)).unwrap();
+    let merged = merge(&[below.path().to_owned()]).unwrap();
     assert_eq!(merged, whole);
-    let (one, other) = (folder.0.join("one"), folder.0.join("merged"));
+    let (one, other) = (folder.path().join("one"), folder.path().join("merged"));
     merged.write(&Output::prepare(&other).unwrap()).unwrap();
     for name in [Sweep::LINES, Output::SUMMARY, Results::PAGE] {
         let read = |folder: &Path| fs::read(folder.join(name)).unwrap();
@@ -111,7 +92,7 @@ fn shards_are_judged_as_one_process_would_have_to_the_bit() {
 
 #[test]
 fn shards_that_do_not_fit_are_refused_with_a_sentence() {
-    let folder = Folder::new("wrong");
+    let folder = tempdir().expect("a folder");
     let made = shards(&folder, &[0, 1, 2, 3]);
     let refused = |directories: &[PathBuf]| {
         let sentence = merge(directories).unwrap_err().to_string();
@@ -157,7 +138,7 @@ fn shards_that_do_not_fit_are_refused_with_a_sentence() {
         fs::write(journal(shard), text).unwrap();
     }
     // Another configuration, other seeds, another cut.
-    let other = folder.0.join("other");
+    let other = folder.path().join("other");
     run(&sweep("0.1,0.3", Some("1/4")), &other);
     let with = |it: &Path| [&made[..1], &[it.to_owned()], &made[2..]].concat();
     let sentence = refused(&with(&other));
@@ -165,14 +146,14 @@ fn shards_that_do_not_fit_are_refused_with_a_sentence() {
         sentence.contains("different sweeps: grid[0].values[1] was 0.2 and is 0.3"),
         "{sentence}"
     );
-    let cut = folder.0.join("cut");
+    let cut = folder.path().join("cut");
     run(&sweep("0.1,0.2", Some("1/3")), &cut);
     assert!(refused(&with(&cut)).contains("into 4 shards and the other into 3"));
     // No shard at all.
-    let none = folder.0.join("none");
+    let none = folder.path().join("none");
     fs::create_dir_all(&none).unwrap();
     assert!(refused(&with(&none)).contains("holds no shard of a sweep"));
-    assert!(refused(&[folder.0.join("nowhere")]).contains("cannot read"));
+    assert!(refused(&[folder.path().join("nowhere")]).contains("cannot read"));
     for (text, words) in [
         ("", "does not say what it is about"),
         ("{\"experiment\":\"forage\"}\n", "is about forage"),
