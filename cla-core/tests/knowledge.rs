@@ -234,7 +234,7 @@ fn what_does_not_fit_is_named_and_the_brain_is_as_it_was() {
     assert!(said.ends_with(", and this one has 4"), "{said}");
     // Its tables have room, and its maps have no nodes that would say it at the next harvest.
     let said = refused!(cramped);
-    let nodes = " nodes of a map, and this one has 4";
+    let nodes = " schemas of an action, and this one has 4";
     assert!(said.ends_with(nodes), "{said}");
     assert_eq!(
         refused!(blind),

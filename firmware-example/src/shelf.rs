@@ -49,11 +49,15 @@ impl<F: NorFlash, const SLOTS: usize> Shelf<F, SLOTS> {
     /// Brings the newest life back that the brain takes.
     ///
     /// # Errors
-    /// [`ResumeError::Nothing`] where nothing is lost by a new life; after any other nothing is
-    /// saved here.
+    /// [`ResumeError::Nothing`] where nothing is lost by a new life; after any other, and where a newer
+    /// life was refused than the one that is brought back, nothing is saved here.
     pub fn resume<B: Snapshot>(&mut self, brain: &mut B) -> Result<Resumed, ResumeError> {
         let resumed = self.store.resume(brain, names());
-        self.free = matches!(resumed, Ok(_) | Err(ResumeError::Nothing));
+        self.free = match &resumed {
+            // A newer one that is whole and was not taken would be the next to be erased.
+            Ok(resumed) => resumed.refused == 0,
+            Err(error) => *error == ResumeError::Nothing,
+        };
         resumed
     }
 

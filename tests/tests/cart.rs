@@ -127,6 +127,14 @@ fn a_cable_that_is_cut_reads_as_no_voltage_on_every_analogue_line() {
     }
 }
 
+#[test]
+fn its_page_says_the_bytes_of_its_brain() {
+    let page = include_str!("../../firmware-example/nrf52840/README.md");
+    let bytes = format!("{},{:03}", cart::RAM / 1000, cart::RAM % 1000);
+    let words = format!("It takes {bytes} bytes of RAM");
+    assert!(page.contains(&words), "{words}");
+}
+
 /// A room with a lamp over the charger, measured as the part would. When it has charged, somebody
 /// puts it down elsewhere.
 struct Room {

@@ -101,6 +101,37 @@ fn a_brain_of_another_program_is_never_written_over() {
 }
 
 #[test]
+fn a_newer_brain_of_another_program_is_kept_where_an_older_one_is_taken() {
+    let mut bytes = vec![0xff; 2 * SLOT as usize];
+    let said = lived(&mut bytes, 50);
+    let saved = said.iter().filter(|it| matches!(it, Event::Saved(_)));
+    assert_eq!(saved.count(), 1, "{said:?}");
+    let ages = toy::ages::<toy::Brain>(1, 3).expect("the toy lives");
+    let (brain, image) = &ages[0];
+    open(&mut bytes)
+        .save(&**brain, toy::names(), 77)
+        .expect("a save");
+    let before = bytes.clone();
+    let said = lived(&mut bytes, 200);
+    let Event::Resumed(resumed) = said[0] else {
+        panic!("{said:?}");
+    };
+    assert_eq!(
+        (resumed.generation, resumed.tick, resumed.refused),
+        (1, 50, 1)
+    );
+    assert!(
+        said.contains(&Event::Refused(NotSaved::Foreign)),
+        "{said:?}"
+    );
+    assert!(bytes == before);
+    let mut other = Box::new(robot::brain());
+    let resumed = open(&mut bytes).resume(&mut *other, toy::names());
+    assert_eq!(resumed.expect("it is there").tick, 77);
+    assert_eq!(toy::image(&*other), *image);
+}
+
+#[test]
 fn nothing_is_saved_before_it_was_looked_what_lies_there() {
     let mut bytes = vec![0xff; 2 * SLOT as usize];
     let mut brain = Box::new(profile::brain());

@@ -20,6 +20,12 @@ const HOLD: [f32; 3] = [0.3, 0.3, 0.4];
 const LEAST: f32 = 0.005;
 /// Sweeps over all values after each weighing of evidence.
 const SWEEPS: u16 = 10;
+/// Trials of a context and action at which those of all its schemas count half from then on: the work
+/// of weighing them ends, and what the old model was worth has long been decided.
+const MOST_TRIALS: u16 = 4096;
+/// At every such number of hits of a schema the trials are added up.
+const ADDED_UP: u16 = 64;
+
 /// What the evidence since a doubt began says of one context and action.
 ///
 /// In the field: the posterior over three strengths of a Dirichlet prior whose mean is the old model;
@@ -130,6 +136,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 if let Some(schema) = self.schemas.get_mut(index) {
                     schema.doubt.hits = schema.doubt.hits.saturating_add(1);
                 }
+                if schema.doubt.hits % ADDED_UP == ADDED_UP - 1 {
+                    self.bound_trials(schema.context, action);
+                }
             }
         }
         self.count_schemas(applicable.seen());
@@ -149,12 +158,27 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         }
     }
 
+    /// Halves the trials of a context and action when they are many.
+    fn bound_trials(&mut self, context: PatternId, action: ActionId) {
+        let (mut trials, mut schemas) = (0_u32, 0);
+        for (_, schema) in self.of_group(context, action) {
+            trials = trials.saturating_add(u32::from(schema.doubt.hits));
+            schemas += 1;
+        }
+        self.count_schemas(schemas);
+        if trials >= u32::from(MOST_TRIALS) {
+            self.change_group(context, action, |schema| schema.doubt.hits /= 2);
+        }
+    }
+
     /// The evidence about a context and action, given how strong other models proved.
     fn posterior(&self, context: PatternId, action: ActionId, prior: [f32; 3]) -> Posterior {
         let mut logs = [0.0; 3];
         let mut trials = 0_u16;
         for (_, schema) in self.of_group(context, action) {
             let Doubt { old, hits, .. } = schema.doubt;
+            // Only an image can hold more.
+            let hits = hits.min(MOST_TRIALS - trials);
             let p = f32::from(old) / 65_535.0;
             let p = if p > LEAST { p } else { LEAST };
             for (log, strength) in logs.iter_mut().zip(STRENGTHS) {
@@ -162,7 +186,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                     *log += ln(strength * p + f32::from(hit));
                 }
             }
-            trials = trials.saturating_add(hits);
+            trials += hits;
         }
         for (log, strength) in logs.iter_mut().zip(STRENGTHS) {
             for trial in 0..trials {
@@ -294,7 +318,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             schema.doubt.bonus = 0.0;
             let old = f32::from(schema.doubt.old) / 65_535.0;
             let seen = if posterior.trials > 0.0 {
-                f32::from(schema.doubt.hits) / posterior.trials
+                (f32::from(schema.doubt.hits) / posterior.trials).min(1.0)
             } else {
                 0.0
             };

@@ -146,6 +146,35 @@ fn a_full_table_in_a_doubt_is_a_counted_loss() {
 }
 
 #[test]
+fn trials_of_a_long_doubt_are_halved_and_keep_their_shares() {
+    let mut it = knowledge();
+    let (here, gold, nothing) = (state(&[0]), state(&[2]), state(&[]));
+    for trial in 0..60_000_u32 {
+        let after = if trial % 4 == 0 { &nothing } else { &gold };
+        it.count_hits(&here, WALK, after);
+    }
+    let hits = [0, 1].map(|schema| it.schemas()[schema].doubt.hits);
+    assert!((2_000..4_200).contains(&(hits[0] + hits[1])), "{hits:?}");
+    it.weigh::<2>(&CONFIG, &ValueConfig::FORAGER);
+    let seen = it.schemas()[0].reliability.value(Estimate::Recent);
+    assert!((seen - 0.75).abs() < 0.02, "{seen}");
+}
+
+#[test]
+fn more_trials_than_can_be_counted_weigh_as_the_most_that_can() {
+    let mut it = knowledge();
+    for schema in &mut it.schemas {
+        schema.doubt.hits = u16::MAX;
+    }
+    it.weigh::<2>(&CONFIG, &ValueConfig::FORAGER);
+    for (index, schema) in it.schemas().iter().enumerate() {
+        let p = schema.reliability.value(Estimate::Recent);
+        assert!((0.0..=1.0).contains(&p), "{index} {p}");
+        assert!((0.0..=1.0).contains(&survival(&it, index)));
+    }
+}
+
+#[test]
 fn a_surprise_that_cannot_work_is_refused_and_nothing_changes() {
     let mut agent = std::boxed::Box::new(Agent::<1, 3, 4, 4, 2, 16, 16>::new());
     agent

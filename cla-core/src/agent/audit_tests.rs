@@ -316,3 +316,17 @@ fn what_cannot_be_found_again_is_named() {
         (Audit::Sound, Stage::Unborn)
     );
 }
+
+#[test]
+fn what_an_earlier_life_has_lost_does_not_cramp_one_with_knowledge_of_another() {
+    let (known, _) = learned(true);
+    let mut image = std::vec![0; 1 << 16];
+    save_knowledge(&*known, Names::UNKNOWN, &mut SliceSink::new(&mut image)).unwrap();
+    let (mut brain, mut ring) = learned(true);
+    brain.faculties.level2.table.losses.refused_items = 1000;
+    ring.live(&mut brain, 10);
+    load_knowledge(&mut *brain, &[], &[], &mut &*image).unwrap();
+    ring.live(&mut brain, 1100);
+    let health = brain.health();
+    assert!(health.lost < 1000.0 && health.steps == 1000, "{health:?}");
+}

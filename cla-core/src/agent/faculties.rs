@@ -66,7 +66,8 @@ impl<
         self.alarm = Alarm::NONE;
     }
 
-    /// All that its tables have lost so far: what found no room, and what had to make some.
+    /// All that its tables have lost so far: schemas and patterns that found no room or made some, and
+    /// schemas that found none at level 2; items and beliefs that give way to new ones are out of use.
     pub(super) fn losses(&self) -> u32 {
         let (one, two) = (self.knowledge.losses(), self.level2.losses());
         let lost = [

@@ -95,6 +95,7 @@ impl<
         self.chosen = None;
         self.decided_after = None;
         self.since_harvest = 0;
+        self.begin_health();
         let Settings::Present(config) = &self.config else {
             return;
         };

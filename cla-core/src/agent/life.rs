@@ -247,7 +247,7 @@ impl<
         {
             self.faculties.practise(config, &step, self.decided_after);
         }
-        let mut lesson = self.take_in(&step)?;
+        let lesson = self.take_in(&step)?;
         self.chosen = None;
         let rewarded = step.reward > 0.0;
         let relearns = self.relearns();
@@ -257,12 +257,6 @@ impl<
             self.faculties.feel(config, surprise, rewarded);
         }
         self.exploration.count(rewarded);
-        let told = Told {
-            foreseen: lesson.outcome.foreseen(),
-            unknown: lesson.outcome.activated == 0,
-        };
-        self.gauge.count(told, self.faculties.losses());
-        lesson.cramped = self.gauge.cramped(BEARABLE);
         Ok(lesson)
     }
 
@@ -340,6 +334,12 @@ impl<
             outcome: self.faculties.record(config, step, relearns, frozen),
             ..Lesson::default()
         };
+        let told = Told {
+            foreseen: lesson.outcome.foreseen(),
+            unknown: lesson.outcome.activated == 0,
+        };
+        self.gauge.count(told, self.faculties.losses());
+        lesson.cramped = self.gauge.cramped(BEARABLE);
         self.faculties
             .follow(config, step, lesson.outcome.schema, frozen);
         if frozen {

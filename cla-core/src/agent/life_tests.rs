@@ -514,3 +514,15 @@ fn an_item_in_the_row_of_the_trace_is_not_taken_for_it() {
     }
     assert!(agent.second_level().losses().evicted_items > 0);
 }
+
+#[test]
+fn what_is_only_watched_counts_for_health_too() {
+    let mut agent = walker(AgentConfig::FORAGER, 3);
+    let world = Corridor(0);
+    for _ in 0..7 {
+        agent
+            .observe(&world.sense(), ActionId(1), &world.sense())
+            .unwrap();
+    }
+    assert_eq!(agent.health().steps, 7);
+}

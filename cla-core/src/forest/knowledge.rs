@@ -90,5 +90,6 @@ impl<
         self.chosen = NO_ACTION;
         self.voices = Voices::new();
         self.said = Said::NOTHING;
+        self.begin_health();
     }
 }

@@ -255,21 +255,30 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
         moment
     }
 
-    /// Every action that led to an item's being on has brought what that is worth now: one that brought
-    /// just what it was worth, or after which it was perceived.
-    pub(super) fn revalue(&mut self, item: ItemId, old: f32, value: f32) {
+    /// Every action that led to an item's being on has brought what that is worth now: one after which
+    /// it was perceived, and where nobody knows what was, one that brought just the `old` value if that is
+    /// the item's `alone`. Answers the least and the greatest reward, 0 among them.
+    pub(super) fn revalue(
+        &mut self,
+        item: ItemId,
+        (old, value): (f32, f32),
+        alone: bool,
+    ) -> (f32, f32) {
+        let mut ends = (0.0_f32, 0.0_f32);
         for at in 0..self.len {
-            let result = self.later(at).and_then(|next| self.get(next));
-            let seen = result.is_some_and(|result| result.now.on().contains(item));
+            let next = self.later(at).and_then(|next| self.get(next));
+            let told = next.filter(|next| !next.begins());
+            let seen = told.and_then(|next| next.now.get(item));
             if let Some(sample) = self.get_mut(at) {
-                let exactly = old != 0.0 && sample.reward == old;
-                if exactly {
-                    sample.reward = value;
-                } else if seen && !sample.ends() {
+                let seen = seen.filter(|_| !sample.ends());
+                let exactly = alone && old != 0.0 && sample.reward == old;
+                if seen.unwrap_or(exactly) {
                     sample.reward = bounded(sample.reward + (value - old), MOST_EARNED);
                 }
+                ends = (ends.0.min(sample.reward), ends.1.max(sample.reward));
             }
         }
+        ends
     }
 
     /// Says what a sample was worth; a value that is no number says nothing.

@@ -97,3 +97,37 @@ fn what_a_sample_was_worth_stays_within_what_anything_is_worth() {
     let target = |at| memory.get(at).and_then(Sample::target);
     assert_eq!([target(1), target(2)], [Some(MOST_WORTH), None]);
 }
+
+#[test]
+fn only_what_led_to_an_item_is_worth_what_that_is_worth_now() {
+    // Items 0 and 1 bring 10 each in turn, and what is given beside brings 10 where neither came.
+    let rewards = |memory: &Two| {
+        let all = (0..memory.len()).filter_map(|at| memory.get(at));
+        all.map(|it| it.reward).collect::<std::vec::Vec<_>>()
+    };
+    let mut memory = Two::new();
+    for number in [0, 1, 2, 0, 1] {
+        memory.push(Sample::new(&percept(number), 0, 10.0));
+    }
+    // Each is followed by the next one's percept: 1 says item 0, 2 says item 1.
+    assert_eq!(memory.revalue(ItemId(0), (10.0, -5.0), false), (-5.0, 10.0));
+    assert_eq!(rewards(&memory), [-5.0, 10.0, 10.0, -5.0, 10.0]);
+    // Of the newest nobody knows what came: its reward tells, if nothing else is worth as much.
+    assert_eq!(memory.revalue(ItemId(1), (10.0, 3.0), true), (-5.0, 10.0));
+    assert_eq!(rewards(&memory), [-5.0, 3.0, 10.0, -5.0, 3.0]);
+}
+
+#[test]
+fn what_ended_an_episode_is_told_by_its_reward() {
+    let mut memory = Two::new();
+    memory.push(Sample::new(&percept(4), 0, 10.0));
+    memory.interrupt();
+    // Item 0 is on where the next episode begins: that is not what came of the last one.
+    memory.push(Sample::new(&percept(1), 0, 0.0).beginning());
+    memory.push(Sample::new(&percept(4), 0, 0.0));
+    let first = |memory: &Two| memory.get(0).unwrap().reward;
+    memory.revalue(ItemId(0), (10.0, 2.0), false);
+    assert_eq!(first(&memory), 10.0);
+    memory.revalue(ItemId(0), (10.0, 2.0), true);
+    assert_eq!(first(&memory), 2.0);
+}

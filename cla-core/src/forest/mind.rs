@@ -19,7 +19,7 @@ use crate::check::Config;
 use crate::num::Rng;
 use crate::reason::Reasoning;
 use crate::snapshot::stored_codes;
-use crate::word::{ActionId, Gauge, ItemId, ItemSet, ItemStates};
+use crate::word::{ActionId, Gauge, ItemSet, ItemStates};
 
 /// How many voices there are.
 const VOICES: usize = Voice::ALL.len();
@@ -218,45 +218,6 @@ impl<
         self.wait = 0.0;
         self.earned = 0;
         self.burst = 0;
-        self.begin_health();
-        Ok(())
-    }
-
-    /// From now on it is worth so much when an item is on after an action, negative for harm.
-    ///
-    /// What was lived is judged anew: samples at once, trees as they grow from them, plans as they are
-    /// thought through. Habits, counts of the model and the record of the voices were about the old
-    /// values and begin again, from what is remembered and from what comes.
-    /// An action is taken to have led to the item when it brought just what that was worth, or when the
-    /// item was on in what was perceived next.
-    /// One pass over the samples and the habits: a call for a robot that stands still.
-    ///
-    /// # Errors
-    /// [`MindError::Unborn`], [`MindError::NoSuchItem`], or [`MindError::Reward`]; nothing has changed.
-    ///
-    /// ```
-    /// use cla_core::word::ItemId;
-    /// use cla_core::forest::{Mind, MindConfig, MindError};
-    /// let mut mind = Mind::<1, 2, 3, 16, 32, 32, 64, 256>::new();
-    /// mind.be_born(MindConfig::DEFAULT, [0.0, 1.0], 7)?;
-    /// mind.revalue(ItemId(1), -2.0)?;
-    /// assert_eq!(mind.value(ItemId(1)), -2.0);
-    /// assert_eq!(mind.revalue(ItemId(2), 1.0), Err(MindError::NoSuchItem(ItemId(2))));
-    /// # Ok::<(), MindError>(())
-    /// ```
-    pub fn revalue(&mut self, item: ItemId, value: f32) -> Result<(), MindError> {
-        self.born()?;
-        check_reward(value)?;
-        let place = self.values.get_mut(usize::from(item.0));
-        let place = place.ok_or(MindError::NoSuchItem(item))?;
-        let old = core::mem::replace(place, value);
-        self.forest.revalue(item, old, value);
-        self.reason.revalue(item, value);
-        self.habits.clear();
-        self.model.clear();
-        self.did = NO_ACTION;
-        self.voices = Voices::new();
-        self.doubt.get_acquainted();
         self.begin_health();
         Ok(())
     }

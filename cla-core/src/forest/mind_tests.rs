@@ -4,6 +4,7 @@ use super::{Actions, Heard, Mind, MindConfig, MindError, Voice};
 use crate::forest::{Feature, Motive};
 use crate::num::Rng;
 use crate::word::{ActionId, ItemId, ItemStates};
+use std::boxed::Box;
 
 type Small = Mind<1, 8, 3, 64, 48, 64, 64, 256>;
 
@@ -388,10 +389,10 @@ fn an_interruption_ends_what_habits_and_model_expect() {
     }
 }
 
-/// Seven places in a row, from the middle to either end, where items 0 and 6 are on; answers how often
-/// each end was reached.
+/// Seven places in a row, from the middle to either end, where items 0 and 6 are on, and back from
+/// there by any action, or thrown back; answers how often each end was reached.
 fn ends(mind: &mut Small, actions: u32, thrown_back: bool) -> (u32, u32) {
-    let (mut place, mut left, mut right) = (3, 0, 0);
+    let (mut place, mut was_at_end, mut left, mut right) = (3, false, 0, 0);
     for _ in 0..actions {
         let choice = mind.choose(&at(place)).unwrap();
         place = match choice.action.0 {
@@ -399,41 +400,56 @@ fn ends(mind: &mut Small, actions: u32, thrown_back: bool) -> (u32, u32) {
             1 => (place + 1).min(6),
             _ => place,
         };
-        mind.learn(&at(place)).unwrap();
-        if place == 0 || place == 6 {
-            left += u32::from(place == 0);
-            right += u32::from(place == 6);
-            if thrown_back {
-                mind.interrupt().unwrap();
-            }
+        if was_at_end {
             place = 3;
+        }
+        mind.learn(&at(place)).unwrap();
+        was_at_end = place == 0 || place == 6;
+        left += u32::from(place == 0);
+        right += u32::from(place == 6);
+        if was_at_end && thrown_back {
+            mind.interrupt().unwrap();
+            (place, was_at_end) = (3, false);
         }
     }
     (left, right)
 }
 
+/// Left and right ends that six minds reach in 300 actions after they lived for so long and what is
+/// worth having has changed; and how often six newborns reach the right one.
+fn changed(lived: u32, thrown_back: bool) -> ((u32, u32), u32) {
+    let (mut after, mut newborns) = ((0, 0), 0);
+    for seed in 0..6 {
+        let mut mind = born(&[(0, 10.0), (6, 1.0)], seed);
+        ends(&mut mind, lived, thrown_back);
+        mind.act().unwrap();
+        mind.revalue(ItemId(0), -5.0).unwrap();
+        mind.revalue(ItemId(6), 10.0).unwrap();
+        let (left, right) = ends(&mut mind, 300, thrown_back);
+        after = (after.0 + left, after.1 + right);
+        let mut newborn = born(&[(0, -5.0), (6, 10.0)], seed);
+        newborns += ends(&mut newborn, 300, thrown_back).1;
+    }
+    (after, newborns)
+}
+
 #[test]
 fn what_is_worth_having_may_change_in_mid_life() {
     for thrown_back in [false, true] {
-        let (mut before, mut after, mut newborns) = ((0, 0), (0, 0), 0);
-        for seed in 0..6 {
-            let mut mind = born(&[(0, 10.0), (6, 1.0)], seed);
-            ends(&mut mind, 2_000, thrown_back);
-            mind.act().unwrap();
-            let (left, right) = ends(&mut mind, 300, thrown_back);
-            before = (before.0 + left, before.1 + right);
-            mind.revalue(ItemId(6), 10.0).unwrap();
-            mind.revalue(ItemId(0), -5.0).unwrap();
-            let (left, right) = ends(&mut mind, 300, thrown_back);
-            after = (after.0 + left, after.1 + right);
-            let mut newborn = born(&[(0, -5.0), (6, 10.0)], seed);
-            newborns += ends(&mut newborn, 300, thrown_back).1;
-        }
-        std::println!("{before:?} {after:?} {newborns}");
-        assert!(before.0 > 4 * before.1, "{before:?}");
-        assert!(after.1 > 8 * after.0, "{after:?}");
-        // What it knows of the way is worth something.
-        assert!(after.1 > newborns, "{after:?} {newborns}");
+        // What it remembers of the way is worth something.
+        let (after, newborns) = changed(800, thrown_back);
+        std::println!("800 {after:?} {newborns}");
+        assert!(
+            after.1 > newborns && after.1 > 8 * after.0,
+            "{after:?} {newborns}"
+        );
+        // Where it remembers nothing it looks for a way, as a newborn does.
+        let (after, newborns) = changed(3_000, thrown_back);
+        std::println!("3000 {after:?} {newborns}");
+        assert!(
+            10 * after.1 > 9 * newborns && after.1 > 8 * after.0,
+            "{after:?} {newborns}"
+        );
     }
 }
 
@@ -451,4 +467,54 @@ fn a_value_that_cannot_be_changes_nothing() {
     assert_eq!(mind.revalue(ItemId(5), f32::NAN), Err(MindError::Reward));
     assert_eq!(corridor(&mut mind, 500), corridor(&mut same, 500));
     assert_eq!(mind.value(ItemId(5)), 10.0);
+}
+
+#[test]
+fn habits_say_what_is_remembered_of_a_new_value_before_anything_is_earned() {
+    let mut mind = Box::new(Small::new());
+    let heard = Heard::only(Voice::Habits);
+    let config = MindConfig {
+        heard,
+        heard_doubting: heard,
+        ..MindConfig::DEFAULT
+    };
+    let mut values = [0.0; 8];
+    values[0] = 10.0;
+    mind.be_born(config, values, 3).unwrap();
+    ends(&mut mind, 2_000, false);
+    for _ in 0..20 {
+        mind.observe(&at(5), ActionId(1), &at(6)).unwrap();
+        mind.observe(&at(6), ActionId(2), &at(5)).unwrap();
+    }
+    mind.act().unwrap();
+    mind.revalue(ItemId(6), 20.0).unwrap();
+    mind.revalue(ItemId(0), 0.0).unwrap();
+    // Nothing is earned from now on: the robot is held in the middle.
+    let mut most = 0.0_f32;
+    for _ in 0..300 {
+        most = most.max(mind.choose(&at(5)).unwrap().value);
+        mind.learn(&at(3)).unwrap();
+        mind.interrupt().unwrap();
+    }
+    assert!(most > 2.0, "{most}");
+}
+
+#[test]
+fn the_value_that_there_is_changes_nothing() {
+    let mut mind = born(&[(5, 10.0)], 2);
+    corridor(&mut mind, 600);
+    let mut same = mind.clone();
+    mind.revalue(ItemId(5), 10.0).unwrap();
+    assert_eq!(corridor(&mut mind, 600), corridor(&mut same, 600));
+    assert_eq!(mind.filled(), same.filled());
+}
+
+#[test]
+fn a_mind_that_knows_nothing_any_more_is_not_full() {
+    let mut mind = born(&[(5, 10.0)], 2);
+    corridor(&mut mind, 600);
+    assert!(mind.filled().links.0 > 5);
+    mind.revalue(ItemId(5), 1.0).unwrap();
+    let filled = mind.filled();
+    assert_eq!((filled.states.0, filled.links.0), (0, 0));
 }

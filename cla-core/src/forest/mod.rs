@@ -31,6 +31,7 @@ mod rates;
 mod relevance;
 mod replay;
 mod restless;
+mod revalue;
 mod runs;
 mod sarsa;
 mod step;

@@ -143,7 +143,7 @@ impl<const ACTIONS: usize, const STATES: usize, const LINKS: usize> Model<ACTION
             rows += u32::from(row.key != 0);
         }
         let mut links = 0;
-        for row in &self.rows {
+        for row in self.rows.iter().filter(|row| row.key != 0) {
             for first in row.links {
                 links += self.length(first);
             }

@@ -155,6 +155,12 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const ROWS: u
         self.most = 0.0;
     }
 
+    /// Forgets everything but what can be earned in a step, at least and at most.
+    pub(super) fn begin_anew(&mut self, (least, most): (f32, f32)) {
+        self.clear();
+        (self.least, self.most) = (least, most);
+    }
+
     /// What each action has been worth in a scene, within what can be earned.
     pub(super) fn worth(&self, scene: &Scene<WORDS>, discount: f32) -> [f32; ACTIONS] {
         let mut worth = self.always;

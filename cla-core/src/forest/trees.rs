@@ -124,13 +124,15 @@ impl<
 
     /// What is on counts for more or less than it did: samples are worth that at once, and trees grow
     /// anew from them. Those of the old values are gone: what follows would be judged by them.
-    pub(super) fn revalue(&mut self, item: ItemId, old: f32, value: f32) {
-        self.memory.revalue(item, old, value);
+    /// Answers the least and the greatest reward that it remembers, 0 among them.
+    pub(super) fn revalue(&mut self, item: ItemId, values: (f32, f32), alone: bool) -> (f32, f32) {
+        let ends = self.memory.revalue(item, values, alone);
         for member in &mut self.members {
             member.clear();
         }
         self.work = Work::Rest;
         self.fresh = u16::MAX;
+        ends
     }
 
     pub(super) const fn memory(&self) -> &Memory<WORDS, STRETCHES> {

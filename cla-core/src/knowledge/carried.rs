@@ -94,7 +94,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             }
         }
         for many in of_actions {
-            from.fit("nodes of a map", many, nodes);
+            from.fit("schemas of an action", many, nodes);
         }
     }
 }

@@ -96,7 +96,8 @@ pub fn length<B: Snapshot>(brain: &B) -> Result<u32, SaveError<Infallible>> {
 /// refused here, and what is sound is saved.
 ///
 /// A brain that is too large for the stack is copied in this way, too: saved, and loaded into another,
-/// which `Box::new(const { robot::brain() })` makes on a heap in place; `clone` goes over the stack.
+/// which `Box::new(const { robot::brain() })` makes on a heap, in place where the compiler optimizes and
+/// over the stack where it does not; `clone` goes over the stack.
 ///
 /// ```
 /// use cla_core::forager::small;

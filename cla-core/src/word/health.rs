@@ -42,8 +42,8 @@ pub struct Health {
     pub alarms: u32,
     /// Whether work is outstanding that `idle` could do.
     pub pending: bool,
-    /// Whether larger tables are likely to bring more: in the last whole window more was lost than is
-    /// bearable; the documents of each brain say how much that is and how it was found.
+    /// Whether larger tables are likely to bring more: in the last whole window of a thousand steps more
+    /// than 20 entries were lost, of an agent as of a mind.
     pub cramped: bool,
 }
 
