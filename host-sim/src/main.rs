@@ -52,38 +52,25 @@ fn do_errand(errand: &Errand) -> ExitCode {
             logs::replayed(file, page.as_deref().unwrap_or(&beside))
         }
         Errand::Export { file, out, .. } => keeping::export(file, out.as_deref()),
-        Errand::Merge { shards, out, force } => match merged(shards, out, *force) {
-            // Shards that do not fit are options that cannot be.
-            Err(failure) if failure.is::<Impossible>() => return refuse(&failure.to_string()),
-            done => done,
-        },
-        Errand::Teach { .. } => match options::teaching(errand) {
-            Ok(Some(order)) => match teaching::taught(&order) {
-                // A log or a mapping that cannot be is an option that cannot be.
-                Err(failure) if failure.is::<Impossible>() => return refuse(&failure.to_string()),
-                done => done,
-            },
-            Ok(None) => Ok(String::new()),
-            Err(impossible) => return refuse(&impossible.to_string()),
-        },
-        Errand::Size { .. } => match options::sizing(errand) {
-            Ok(Some(wanted)) => match keeping::size(&wanted) {
-                Err(failure) if failure.is::<Impossible>() => return refuse(&failure.to_string()),
-                done => done,
-            },
-            Ok(None) => Ok(String::new()),
-            Err(impossible) => return refuse(&impossible.to_string()),
-        },
-        Errand::Train { .. } => match options::training(errand) {
-            Ok(Some(training)) => keeping::train(&training),
-            Ok(None) => Ok(String::new()),
-            Err(impossible) => return refuse(&impossible.to_string()),
-        },
+        Errand::Merge { shards, out, force } => merged(shards, out, *force),
+        Errand::Teach(args) => ordered(options::teaching(args), teaching::taught),
+        Errand::Size(args) => ordered(options::sizing(args), keeping::size),
+        Errand::Train(args) => ordered(options::training(args), keeping::train),
     };
     match done.and_then(|text| say(&text)) {
         Ok(()) => ExitCode::SUCCESS,
+        // Shards that do not fit, or a log that cannot be, are options that cannot be.
+        Err(failure) if failure.is::<Impossible>() => refuse(&failure.to_string()),
         Err(failure) => fail(&failure),
     }
+}
+
+/// Does what was asked for, where it can be.
+fn ordered<O>(
+    order: Result<O, Impossible>,
+    done: fn(&O) -> Result<String, Failure>,
+) -> Result<String, Failure> {
+    done(&order?)
 }
 
 /// Puts shards together and writes what comes of them.

@@ -67,6 +67,51 @@ fn another_name_than_that_of_the_file_is_another_life_not_another_label() {
     );
 }
 
+/// What is said beside a file goes before it, and another world begins with its own numbers.
+#[test]
+fn another_world_than_that_of_the_file_begins_with_its_own_numbers_and_keeps_what_is_set() {
+    let folder = tempdir().expect("a folder");
+    let file = |name: &str, text: &str| {
+        fs::write(folder.path().join(name), text).expect("a file");
+    };
+    file(
+        "noisy.toml",
+        "[world]\nname = \"pioneer\"\ndrop_out = 0.3\nstep_noise = 0.2\n",
+    );
+    file("specimens.layout", "0\n2 0\n0 2\n");
+    file("laid.toml", "[world]\nlayout = \"specimens.layout\"\n");
+    let short = "--seeds 3 --set protocol.training=1000 --set protocol.test=1";
+    let forage = |asked: &str, out: &str| {
+        let all = format!("forage {asked} {short} --out {out}");
+        run(folder.path(), &all.split(' ').collect::<Vec<_>>())
+    };
+    let lived = |asked: &str, out: &str| {
+        let output = forage(asked, out);
+        let sentence = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{asked}: {sentence}");
+        fs::read_to_string(folder.path().join(out).join("settings.toml")).expect("it was written")
+    };
+    let asked = lived("--world noise-free --radius 4", "asked");
+    assert!(asked.contains("drop_out = 0.0") && asked.contains("radius = 4.0"));
+    for (index, again) in [
+        "--world noise-free --set world.radius=4",
+        "--config noisy.toml --world noise-free --set world.radius=4",
+        "--config noisy.toml --world noise-free --radius 4",
+        "--config noisy.toml --set world.radius=4 --set world.name=noise-free",
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert_eq!(lived(again, &format!("again-{index}")), asked, "{again}");
+    }
+    let kept = lived("--config noisy.toml --world noisy", "kept");
+    assert!(kept.contains("drop_out = 0.3") && kept.contains("step_noise = 0.2"));
+    let output = forage("--config laid.toml --specimens 5", "laid");
+    let sentence = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{sentence}");
+    assert!(sentence.contains("--specimens does not go with a layout"));
+}
+
 #[test]
 fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
     let folder = tempdir().expect("a folder");
@@ -184,17 +229,55 @@ fn an_experiment_is_made_again_from_the_settings_that_it_has_written() {
     }
 }
 
+/// Worlds for which a rival was tuned, each with numbers of its own.
 #[test]
 fn a_sweep_is_made_again_from_the_settings_that_it_has_written() {
     let folder = tempdir().expect("a folder");
-    let arguments = "sweep --agent q --grid agent.alpha=0.1,0.2 --grid world.name=lake,keys --seeds 3..5 \
-         --set protocol={training=50,before=25,after=50} --out first";
-    let arguments: Vec<&str> = arguments.split_whitespace().collect();
-    assert!(run(folder.path(), &arguments).status.success());
-    let again = ["sweep", "--config", "first/settings.toml", "--out", "again"];
-    assert!(run(folder.path(), &again).status.success());
-    let read = |path: &str| fs::read_to_string(folder.path().join(path)).expect(path);
-    assert_eq!(read("again/settings.toml"), read("first/settings.toml"));
-    assert_eq!(read("again/results.jsonl"), read("first/results.jsonl"));
-    assert_eq!(read("first/results.jsonl").lines().count(), 8);
+    let short = "--set protocol={training=50,before=25,after=50}";
+    for (name, asked, points) in [
+        (
+            "worlds",
+            "--agent q --grid agent.alpha=0.1,0.2 --grid world.name=lake,keys",
+            4,
+        ),
+        ("rooms", "--agent sarsa --grid world.name=pioneer,lake", 2),
+        (
+            "learners",
+            "--grid agent.name=linear,q,mind --grid world.name=lake,vacuum --set agent.discount=0.9",
+            6,
+        ),
+        (
+            "parts",
+            "--agent forager --grid agent.escape.after=50,90 --grid agent.escape.burst=3,5",
+            4,
+        ),
+    ] {
+        let (first, again) = (format!("{name}-first"), format!("{name}-again"));
+        let run = |arguments: &str| {
+            let arguments: Vec<&str> = arguments.split_whitespace().collect();
+            let output = run(folder.path(), &arguments);
+            let sentence = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{arguments:?}: {sentence}");
+        };
+        run(&format!("sweep {asked} --seeds 3..5 {short} --out {first}"));
+        run(&format!(
+            "sweep --config {first}/settings.toml --out {again}"
+        ));
+        let read = |of: &str, file: &str| {
+            let path = folder.path().join(of).join(file);
+            fs::read_to_string(path).expect("it was written")
+        };
+        for file in ["settings.toml", "results.jsonl"] {
+            assert_eq!(read(&again, file), read(&first, file), "{name}");
+        }
+        assert_eq!(read(&first, "results.jsonl").lines().count(), 2 * points);
+        // With every setting of every point.
+        let lived = |of: &str| {
+            let summary = read(of, "summary.json");
+            let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+            summary["options"]["points"].clone()
+        };
+        assert_eq!(lived(&first).as_array().map(Vec::len), Some(points));
+        assert_eq!(lived(&again), lived(&first), "{name}");
+    }
 }

@@ -235,6 +235,26 @@ fn what_is_wrong_in_a_log_is_named_with_line_and_column() {
         ("band = 0.1", "band = -1", "its band is a number from 0 on"),
         ("band", "bond", "unknown field `bond`"),
         (
+            "column = \"mode\"\n",
+            "column = \"mode\"\nband = 0.1\n",
+            "column mode: categories have no band",
+        ),
+        (
+            "column = \"mode\"\n",
+            "column = \"mode\"\ndebounced = 3\n",
+            "column mode: categories have no band, and are not debounced",
+        ),
+        (
+            "episode = ",
+            "separator = '\"'\nepisode = ",
+            "'\"' cannot separate fields",
+        ),
+        (
+            "episode = ",
+            "separator = \"\\n\"\nepisode = ",
+            "'\\n' cannot separate fields",
+        ),
+        (
             "names = [\"go\", \"stay\"]",
             "names = [\"go\", \"go\"]",
             "\"go\" is named twice",

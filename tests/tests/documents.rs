@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 
 use cla_tests::root;
 use clap::Parser;
-use host_sim::cli::{Cli, Command};
-use host_sim::options::Order;
+use host_sim::cli::{Cli, Command, Errand};
+use host_sim::options::{self, Order};
 use serde_json::Value;
 
 /// A Markdown file: its path in the project and its text.
@@ -234,15 +234,15 @@ fn judge(command: &str, firmware: bool) -> Result<bool, String> {
     };
     let cli = Cli::try_parse_from([&["host-sim"], arguments].concat());
     let cli = cli.map_err(|error| error.to_string())?;
-    if let Some(Command::Errand(errand)) = &cli.command {
-        let training = host_sim::options::training(errand);
-        return training
-            .map(|_| true)
-            .map_err(|impossible| impossible.to_string());
-    }
-    Order::new(&cli)
-        .map(|_| true)
-        .map_err(|impossible| impossible.to_string())
+    let ordered = match &cli.command {
+        Some(Command::Errand(Errand::Train(args))) => options::training(args).map(|_| true),
+        Some(Command::Errand(Errand::Teach(args))) => options::teaching(args).map(|_| true),
+        Some(Command::Errand(Errand::Size(args))) => options::sizing(args).map(|_| true),
+        // The others take what is parsed as it is.
+        Some(Command::Errand(_)) => Ok(true),
+        _ => Order::new(&cli).map(|_| true),
+    };
+    ordered.map_err(|impossible| impossible.to_string())
 }
 
 #[test]

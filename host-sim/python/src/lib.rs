@@ -28,8 +28,7 @@ mod _native {
     /// The seeds of the rooms of a life in the experiments: two of its childhood, that of the test.
     #[pyo3::pyfunction]
     fn rooms(seed: u64) -> (u64, u64, u64) {
-        let other = |stream| cla_core::num::Rng::stream(seed, stream).next_seed();
-        (seed, other(4), other(1))
+        host_sim::world::setting::rooms(seed).into()
     }
 
     /// The profiles: names and what each is for.

@@ -156,6 +156,44 @@ def test_a_life_goes_through_whatever_lies_around_a_world():
     assert own.done == 30
 
 
+class Begun(gymnasium.Wrapper):
+    """Begins with one seed, whoever asks; leaves all else as it comes."""
+
+    def reset(self, **arguments):
+        return super().reset(seed=5)
+
+
+@pytest.mark.parametrize("values", [{"ingrip": 10.0}, None])
+def test_a_wrapper_that_changes_nothing_leaves_the_life_of_the_bare_world(values):
+    """A specimen is felt before the gripper has closed by reflex, and the observation shows what came after."""
+    bare = gymnasium.make("cla/Pioneer-v0")
+    bare.reset(seed=5)
+    one, other = (cla.Agent.for_env(bare, values, seed=5) for _ in range(2))
+    lived = one.live(bare, 3000)
+    around = Begun(gymnasium.make("cla/Pioneer-v0", max_episode_steps=10_000))
+    assert other.live(around, 3000) == lived and lived.earned > 10
+    assert other.digest == one.digest and other.image() == one.image()
+    assert around.unwrapped._world.facts() == bare.unwrapped._world.facts()
+    worth = [max(row["value"] for row in it.schemas()) for it in (one, other)]
+    assert worth[0] == worth[1] > 0.05
+
+
+def test_what_a_wrapper_has_changed_is_all_that_is_learned_from():
+    shown, learned = [], []
+
+    class Inverted(gymnasium.ObservationWrapper):
+        def observation(self, observation):
+            shown.append(1 - observation)
+            return shown[-1]
+
+    env = Inverted(gymnasium.make("cla/Pioneer-v0"))
+    agent = cla.Agent.for_env(env, {"ingrip": 10.0}, seed=1)
+    learn = agent.learn
+    agent.learn = lambda seen, reward=0.0: learned.append(seen) or learn(seen, reward)
+    agent.live(env, 300)
+    assert len(learned) == 300 and np.array_equal(learned, shown[1:])
+
+
 def test_the_end_of_time_that_a_wrapper_sets_ends_an_episode():
     env = gymnasium.make("cla/Pioneer-v0", max_episode_steps=20)
     agent = cla.Agent.for_env(env, {"ingrip": 10.0}, seed=1)
@@ -229,6 +267,24 @@ def test_a_pickled_agent_goes_on_as_if_nothing_had_been(profile):
         assert one.choose(percept) == other.choose(percept)
         assert one.learn(percept) == other.learn(percept)
     assert one.digest == other.digest
+
+
+@pytest.mark.parametrize(
+    ("head", "words"),
+    [(b"CLAPY\x01\x00\x00", "of version 1: those of version 2"), (b"CLA", "of no version"), (b"", "of no version")],
+)
+def test_a_pickle_of_another_version_is_refused_in_a_sentence(head, words):
+    agent = trained()
+    state = agent.__getstate__()
+    state["image"] = head + state["image"][8:]
+    other = cla.Agent.__new__(cla.Agent)
+    with pytest.raises(ValueError, match=words) as refused:
+        other.__setstate__(state)
+    assert "\n" not in str(refused.value) and not other.__dict__
+    # What version 1 kept had other names for values and configuration.
+    old = {name: it for name, it in state.items() if name not in ("_given", "_worth")}
+    with pytest.raises(ValueError, match=words):
+        other.__setstate__({**old, "image": head})
 
 
 def test_a_saved_agent_is_recalled_and_a_wrong_file_leaves_it_as_it_was(tmp_path):

@@ -38,7 +38,8 @@ pub struct SeedArgs {
 /// Settings by name.
 #[derive(Clone, Debug, Default, Args)]
 pub struct SettingArgs {
-    /// File with settings in TOML; settings.toml of any run is one. What is said beside it goes before.
+    /// File with settings in TOML, such as settings.toml of an earlier run of the same command. What is
+    /// said beside it goes before.
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
     /// One setting, such as agent.discount=0.9 or protocol.training=20000; may be given several times,

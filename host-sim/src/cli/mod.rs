@@ -11,7 +11,7 @@ mod sentence;
 use clap::{Parser, Subcommand};
 
 pub use args::{BudgetArgs, LengthArgs, LiveArgs, OutArgs, SeedArgs, SettingArgs, WorldArgs};
-pub use errand::Errand;
+pub use errand::{Errand, SizeArgs, TeachArgs, TrainArgs};
 pub use sentence::sentence;
 
 /// Robots that build their own world: the experiments of Chaput 2004, with their verdicts.

@@ -2,7 +2,7 @@
 //! would be allowed there.
 
 use std::error::Error as _;
-use std::num::{ParseFloatError, ParseIntError};
+use std::num::{IntErrorKind, ParseFloatError, ParseIntError};
 
 use clap::CommandFactory;
 use clap::error::{ContextKind, ContextValue, Error, ErrorKind};
@@ -57,15 +57,17 @@ fn allowed(error: &Error, value: &str) -> String {
     };
     if why.is::<ParseFloatError>() {
         "a number".to_owned()
-    } else if !why.is::<ParseIntError>() {
+    } else if let Some(why) = why.downcast_ref::<ParseIntError>() {
+        match why.kind() {
+            _ if value.starts_with('-') => "a whole number from 0 on".to_owned(),
+            IntErrorKind::PosOverflow => "a smaller whole number".to_owned(),
+            _ => "a whole number".to_owned(),
+        }
+    } else {
         // Such as "4000000000 is not in 0..=4294967295", of which the end is the answer.
         let why = why.to_string();
         let range = why.split_once(" is not in ").map(|(_, range)| range);
         range.map_or(why.clone(), |range| format!("a whole number in {range}"))
-    } else if value.starts_with('-') {
-        "a whole number from 0 on".to_owned()
-    } else {
-        "a whole number".to_owned()
     }
 }
 
@@ -91,6 +93,10 @@ mod tests {
             (
                 "forage --specimens -1",
                 "takes a whole number from 0 on, not \"-1\"",
+            ),
+            (
+                "forage --specimens 18446744073709551616",
+                "takes a smaller whole number, not \"18446744073709551616\"",
             ),
             (
                 "forage --actions -1000",

@@ -2,12 +2,12 @@
 
 use serde_json::Value;
 
-use super::settled::{seeds_of, written};
+use super::settled::{named, seeds_of, set_over};
 use crate::cli::{LiveArgs, SeedArgs};
 use crate::experiment::live::LiveOptions;
 use crate::experiment::sweep::{Axis, Shard, SweepOptions};
 use crate::failure::Impossible;
-use crate::settings::{empty, of_tree, pair, put};
+use crate::settings::{of_tree, put};
 
 /// The lives that are asked for; their seeds stand in the file when the command line has none.
 ///
@@ -49,31 +49,17 @@ pub(super) fn sweep(
 /// # Errors
 /// [`Impossible`] for a file or a setting that cannot be read.
 pub(super) fn given(args: &LiveArgs) -> Result<Value, Impossible> {
-    let mut tree = written(&args.settings)?;
-    let set = args.settings.set.iter().map(|text| pair(text));
-    let set = set.collect::<Result<Vec<_>, _>>()?;
-    // Another world or agent than that of the file begins with its own settings.
-    for (part, asked) in [("world", &args.world), ("agent", &args.agent)] {
-        let key = format!("{part}.name");
-        let last = set.iter().rev().find(|(it, _)| *it == key);
-        let name = last.map(|(_, name)| name.clone());
-        let Some(name) = name.or_else(|| asked.as_deref().map(Value::from)) else {
-            continue;
-        };
-        let was = tree.get(part).and_then(|it| it.get("name"));
-        if was.is_some_and(|was| *was != name) {
-            put(&mut tree, part, empty())?;
-        }
-        put(&mut tree, &key, name)?;
-    }
+    let asked = [
+        ("world", args.world.as_deref()),
+        ("agent", args.agent.as_deref()),
+    ];
+    let (mut tree, set) = named(&args.settings, &asked)?;
     if !args.rival.is_empty() {
         put(&mut tree, "rivals", args.rival.clone().into())?;
     }
     if !args.damage.is_empty() {
         put(&mut tree, "damages", args.damage.clone().into())?;
     }
-    for (key, value) in set {
-        put(&mut tree, key, value)?;
-    }
+    set_over(&mut tree, set)?;
     Ok(tree)
 }

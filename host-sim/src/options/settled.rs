@@ -5,7 +5,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-use super::shared::{changed, seeds, world};
+use super::shared::{changed, seeds, world_name};
 use crate::cli::{LengthArgs, SeedArgs, SettingArgs, WorldArgs};
 use crate::experiment::forage::{ForageOptions, Lengths};
 use crate::experiment::live::{Place, full_agent};
@@ -41,13 +41,51 @@ pub(super) fn seeds_of(asked: &SeedArgs, given: &mut Value) -> Result<Vec<u64>, 
     seeds(&SeedArgs { seeds: text })
 }
 
-/// A file with what is set by name over it.
-fn given(args: &SettingArgs) -> Result<Value, Impossible> {
+/// What is set by name on the command line, in its order.
+pub(super) type Set<'a> = Vec<(&'a str, Value)>;
+
+/// A file with the names that are asked for, and what is to be set over it.
+///
+/// Another world or agent than that of the file begins with its own settings.
+///
+/// # Errors
+/// [`Impossible`] for a file or a setting that cannot be read.
+pub(super) fn named<'a>(
+    args: &'a SettingArgs,
+    asked: &[(&str, Option<&str>)],
+) -> Result<(Value, Set<'a>), Impossible> {
     let mut tree = written(args)?;
-    for text in &args.set {
-        let (key, value) = pair(text)?;
-        put(&mut tree, key, value)?;
+    let set = args.set.iter().map(|text| pair(text));
+    let set = set.collect::<Result<Set<'a>, _>>()?;
+    for &(part, asked) in asked {
+        let key = format!("{part}.name");
+        let last = set.iter().rev().find(|(it, _)| *it == key);
+        let name = last.map(|(_, name)| name.clone());
+        let Some(name) = name.or_else(|| asked.map(Value::from)) else {
+            continue;
+        };
+        let was = tree.get(part).and_then(|it| it.get("name"));
+        if was.is_some_and(|was| *was != name) {
+            put(&mut tree, part, empty())?;
+        }
+        put(&mut tree, &key, name)?;
     }
+    Ok((tree, set))
+}
+
+/// Puts what is set over settings.
+///
+/// # Errors
+/// [`Impossible`] for a key that leads through a value.
+pub(super) fn set_over(tree: &mut Value, set: Set<'_>) -> Result<(), Impossible> {
+    let mut set = set.into_iter();
+    set.try_for_each(|(key, value)| put(tree, key, value))
+}
+
+/// A file with what is asked for and set by name over it.
+fn given(args: &SettingArgs, asked: &[(&str, Option<&str>)]) -> Result<Value, Impossible> {
+    let (mut tree, set) = named(args, asked)?;
+    set_over(&mut tree, set)?;
     Ok(tree)
 }
 
@@ -71,21 +109,7 @@ fn nothing_else(given: &Value, known: &[&str]) -> Result<(), Impossible> {
 
 /// The Pioneer's room as settings and arguments have it.
 fn room(given: &mut Value, args: &WorldArgs) -> Result<WorldOptions, Impossible> {
-    let part = take(given, "world")?;
-    let name = match args.world.as_deref() {
-        Some("noisy") => Some("pioneer"),
-        other => other,
-    };
-    let named = part.get("name").and_then(Value::as_str);
-    // Another world than that of the file begins with its own settings.
-    if part == empty() || name.is_some() && named.is_some() && name != named {
-        return world(args);
-    }
-    let mut part = part;
-    if let Some(name) = name {
-        put(&mut part, "name", name.into())?;
-    }
-    let place = Place::new(part)?;
+    let place = Place::new(take(given, "world")?)?;
     let room = place.bare_pioneer().ok_or_else(|| {
         let sentence = format!(
             "it is lived in the Pioneer's bare room, not in {}",
@@ -116,7 +140,7 @@ pub(super) fn forage(
     length: LengthArgs,
     args: &SettingArgs,
 ) -> Result<ForageOptions, Impossible> {
-    let mut given = given(args)?;
+    let mut given = given(args, &[("world", world_name(place)?)])?;
     let seeds = seeds_of(asked, &mut given)?;
     let world = room(&mut given, place)?;
     let lengths = laid(&Lengths::BOOK, &json!({}), &mut given, "protocol")?;
@@ -139,7 +163,7 @@ pub(super) fn recover(
     damages: &[String],
     args: &SettingArgs,
 ) -> Result<RecoverOptions, Impossible> {
-    let mut given = given(args)?;
+    let mut given = given(args, &[("world", world_name(place)?)])?;
     let seeds = seeds_of(asked, &mut given)?;
     let world = room(&mut given, place)?;
     let written = texts(&mut given, "damages")?;
@@ -164,7 +188,7 @@ pub(super) fn one(
     long: bool,
     args: &SettingArgs,
 ) -> Result<OneOptions, Impossible> {
-    let mut given = given(args)?;
+    let mut given = given(args, &[])?;
     let seeds = seeds_of(asked, &mut given)?;
     let written = texts(&mut given, "parts")?;
     let parts = if parts.is_empty() { &written } else { parts };

@@ -38,18 +38,30 @@ pub fn seeds(args: &SeedArgs) -> Result<Vec<u64>, Impossible> {
     Ok((from..to).collect())
 }
 
+/// The name, as settings have it, of the world that the arguments ask for.
+///
+/// # Errors
+/// [`Impossible`] for a name that is none of the Pioneer's.
+pub(super) fn world_name(args: &WorldArgs) -> Result<Option<&'static str>, Impossible> {
+    match args.world.as_deref() {
+        None => Ok(None),
+        Some("noisy") => Ok(Some("pioneer")),
+        Some("noise-free") => Ok(Some("noise-free")),
+        Some(other) => {
+            let sentence = format!("--world is noisy or noise-free, not {other:?}");
+            Err(Impossible::new(sentence))
+        }
+    }
+}
+
 /// The world that the arguments describe.
 ///
 /// # Errors
 /// [`Impossible`] for the first thing that cannot be.
 pub fn world(args: &WorldArgs) -> Result<WorldOptions, Impossible> {
-    let base = match args.world.as_deref() {
-        None | Some("noisy") => PioneerConfig::NOISY,
+    let base = match world_name(args)? {
         Some("noise-free") => PioneerConfig::NOISE_FREE,
-        Some(other) => {
-            let sentence = format!("--world is noisy or noise-free, not {other:?}");
-            return Err(Impossible::new(sentence));
-        }
+        _ => PioneerConfig::NOISY,
     };
     changed(&WorldOptions::new(base, None)?, args)
 }
@@ -75,11 +87,11 @@ pub(super) fn changed(world: &WorldOptions, args: &WorldArgs) -> Result<WorldOpt
         ..base
     };
     config.validate().map_err(Impossible::new)?;
-    if args.layout.is_some() && args.specimens.is_some() {
-        let sentence = "--specimens does not go with --layout: the file says how many there are";
+    let path = args.layout.as_ref().or(world.path.as_ref());
+    if path.is_some() && args.specimens.is_some() {
+        let sentence = "--specimens does not go with a layout: the file says how many there are";
         return Err(Impossible::new(sentence));
     }
-    let path = args.layout.as_ref().or(world.path.as_ref());
     let layout = path
         .map(|path| read_layout(path, config.radius))
         .transpose()?;

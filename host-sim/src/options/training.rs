@@ -3,7 +3,7 @@
 use cla_core::agent::{Adaptation, AgentConfig};
 
 use super::shared::world;
-use crate::cli::Errand;
+use crate::cli::{SizeArgs, TeachArgs, TrainArgs};
 use crate::device::budget::number;
 use crate::failure::Impossible;
 use crate::keeping::{Raised, Training, Wanted};
@@ -15,39 +15,36 @@ use crate::world::setting::MOST_ACTIONS;
 ///
 /// # Errors
 /// [`Impossible`] for a memory that is no number of bytes.
-pub fn sizing(errand: &Errand) -> Result<Option<Wanted>, Impossible> {
-    let Errand::Size {
+pub fn sizing(args: &SizeArgs) -> Result<Wanted, Impossible> {
+    let SizeArgs {
         items,
         actions,
         samples,
         states,
         ram,
         log,
-    } = errand
-    else {
-        return Ok(None);
-    };
+    } = args;
     let bytes = |text: &String| {
         let sentence =
             format!("--ram is a number of bytes such as 100000, 100k or 128KiB, not {text:?}");
         number(text).ok_or_else(|| Impossible::new(sentence))
     };
-    Ok(Some(Wanted {
+    Ok(Wanted {
         items: *items,
         actions: *actions,
         samples: *samples,
         states: *states,
         ram: ram.as_ref().map(bytes).transpose()?,
         log: log.clone(),
-    }))
+    })
 }
 
 /// The training of one brain that the arguments ask for.
 ///
 /// # Errors
 /// [`Impossible`] for the first thing that cannot be.
-pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
-    let Errand::Train {
+pub fn training(args: &TrainArgs) -> Result<Training, Impossible> {
+    let TrainArgs {
         seed,
         world: place,
         brain,
@@ -56,10 +53,7 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
         load,
         save,
         log,
-    } = errand
-    else {
-        return Ok(None);
-    };
+    } = args;
     if *actions > MOST_ACTIONS {
         let sentence = format!("--actions must be at most {MOST_ACTIONS}, not {actions}");
         return Err(Impossible::new(sentence));
@@ -74,7 +68,7 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
         let sentence = "--act: a mind adapts in its own way, which is relearning";
         return Err(Impossible::new(sentence));
     }
-    Ok(Some(Training {
+    Ok(Training {
         seed: *seed,
         world: world(place)?,
         brain: match brain.as_str() {
@@ -100,35 +94,32 @@ pub fn training(errand: &Errand) -> Result<Option<Training>, Impossible> {
         load: load.clone(),
         save: save.clone(),
         log: log.clone(),
-    }))
+    })
 }
 
 /// The teaching by a log that the arguments ask for.
 ///
 /// # Errors
 /// [`Impossible`] for a share that leaves nothing to teach or to hold out.
-pub fn teaching(errand: &Errand) -> Result<Option<Teaching>, Impossible> {
-    let Errand::Teach {
+pub fn teaching(args: &TeachArgs) -> Result<Teaching, Impossible> {
+    let TeachArgs {
         log,
         mapping,
         taught,
         seed,
         save,
         page,
-    } = errand
-    else {
-        return Ok(None);
-    };
+    } = args;
     if !(*taught > 0.0 && *taught < 1.0) {
         let sentence = format!("--taught is a share above 0 and below 1, not {taught}");
         return Err(Impossible::new(sentence));
     }
-    Ok(Some(Teaching {
+    Ok(Teaching {
         log: log.clone(),
         mapping: mapping.clone(),
         taught: *taught,
         seed: *seed,
         save: save.clone(),
         page: page.clone(),
-    }))
+    })
 }

@@ -106,7 +106,8 @@ impl Mapping {
 
     fn check(&self) -> Result<(), Impossible> {
         let no = |why: String| Err(Impossible::new(why));
-        if !self.separator.is_ascii() {
+        // A quote is what stands around a field, and the end of a line ends a row.
+        if !self.separator.is_ascii() || matches!(self.separator, '"' | '\n' | '\r') {
             return no(format!("{:?} cannot separate fields", self.separator));
         }
         if let Some(name) = twice(&self.action.names) {
@@ -165,6 +166,9 @@ impl ItemColumn {
             return no("its band is a number from 0 on");
         }
         if let Some(texts) = &self.categories {
+            if self.band != 0.0 || self.debounced != one() {
+                return no("categories have no band, and are not debounced");
+            }
             let sized = (1..=MOST).contains(&texts.len());
             return match twice(texts) {
                 None if sized => Ok(Reading::Categories(texts.clone())),

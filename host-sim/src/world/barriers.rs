@@ -5,12 +5,11 @@
 
 use cla_core::num::Rng;
 
+use super::World;
 use super::arena::Barrier;
 use super::config::PioneerConfig;
-use super::fault::{Fault, Unbreakable};
 use super::geometry::{Point, Pose};
 use super::pioneer::{Pioneer, PioneerError};
-use super::{Percept, World};
 
 /// Barriers in a room.
 pub const COUNT: usize = 8;
@@ -77,37 +76,8 @@ fn drawn(radius: f64, rng: &mut Rng) -> Barrier {
 }
 
 impl World for Barriers {
-    fn items(&self) -> &'static [&'static str] {
-        self.pioneer.items()
-    }
-
-    fn actions(&self) -> &'static [&'static str] {
-        self.pioneer.actions()
-    }
-
-    fn sense(&self) -> Percept {
-        self.pioneer.sense()
-    }
-
-    fn act(&mut self, action: usize) {
-        self.pioneer.act(action);
-    }
-
-    fn reflex(&mut self) -> Option<usize> {
-        self.pioneer.reflex()
-    }
-
-    fn obtained(&self) -> u32 {
-        self.pioneer.obtained()
-    }
-
-    fn finished(&self) -> bool {
-        self.pioneer.finished()
-    }
-
-    fn suffer(&mut self, fault: &Fault) -> Result<(), Unbreakable> {
-        self.pioneer.suffer(fault)
-    }
+    around!(self => self.pioneer;
+        items actions sense act reflex obtained finished earned episode_ended begin_episode suffer);
 }
 
 #[cfg(test)]

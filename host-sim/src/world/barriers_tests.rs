@@ -1,23 +1,36 @@
 //! Where barriers stand, and that nothing but a bump shows them.
 
-use super::{Barriers, COUNT, GAPS, LENGTH};
+use core::f64::consts::TAU;
+
+use super::Barriers;
 use crate::baseline::sector::Sector;
 use crate::learner::controller::live;
 use crate::world::World;
+use crate::world::arena::Arena;
 use crate::world::config::PioneerConfig;
 use crate::world::geometry::Point;
 use crate::world::pioneer::Pioneer;
 use cla_core::num::Rng;
 
 #[test]
-fn barriers_stand_in_the_room_and_not_where_the_robot_begins() {
+fn barriers_stand_in_the_room_and_not_where_the_robot_begins_and_turns() {
     for seed in 0..20 {
         let room = Barriers::new(seed).unwrap();
-        assert_eq!(room.barriers().len(), COUNT);
+        let radius = room.pioneer().config().radius;
+        let mut arena = Arena::new(radius, &[]);
+        for &barrier in room.barriers() {
+            arena.raise(barrier);
+        }
+        for step in 0..72 {
+            let turned = room.pioneer().robot().turned(f64::from(step) * TAU / 72.0);
+            assert!(!arena.body_hits_wall(&turned), "seed {seed}: {turned:?}");
+        }
         for barrier in room.barriers() {
-            let from_centre = barrier.pose.position.distance(Point::default());
-            assert!((GAPS.0..=5.0 - GAPS.1).contains(&from_centre));
-            assert_eq!(barrier.length, LENGTH);
+            assert!(arena.body_hits_wall(&barrier.pose), "seed {seed}");
+            for side in [-0.25, 0.25] {
+                let end = barrier.pose.turned(side * TAU).ahead(0.5 * barrier.length);
+                assert!(end.position.distance(Point::default()) <= radius);
+            }
         }
     }
 }

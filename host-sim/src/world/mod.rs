@@ -27,6 +27,7 @@ pub mod sought;
 pub mod vacuum;
 pub mod veil;
 
+use cla_core::num::Rng;
 use cla_core::word::ItemStates;
 
 use fault::{Fault, Unbreakable};
@@ -102,4 +103,37 @@ pub trait World {
 impl<W: World + ?Sized> World for Box<W> {
     around!(self => **self;
         items actions sense act reflex obtained finished earned episode_ended begin_episode suffer);
+}
+
+/// Puts things in an order by chance, every order as likely as any other (Fisher and Yates).
+pub(crate) fn shuffle<T>(things: &mut [T], rng: &mut Rng) {
+    for last in (1..things.len()).rev() {
+        things.swap(last, rng.below(last as u32 + 1) as usize);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+
+    #[test]
+    fn every_order_comes_as_often_as_any_other() {
+        let mut rng = Rng::new(1);
+        let mut orders: BTreeMap<[u8; 3], u32> = BTreeMap::new();
+        for _ in 0..6_000 {
+            let mut things = [1, 2, 3];
+            shuffle(&mut things, &mut rng);
+            *orders.entry(things).or_default() += 1;
+        }
+        assert_eq!(orders.len(), 6);
+        // Four standard errors of 1000.
+        assert!(
+            orders.values().all(|it| (885..=1_115).contains(it)),
+            "{orders:?}"
+        );
+        let mut none: [u8; 0] = [];
+        shuffle(&mut none, &mut rng);
+    }
 }

@@ -1,5 +1,6 @@
 //! The setting of a life: the Pioneer's world as it can be built for any seed.
 
+use cla_core::num::Rng;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -13,6 +14,21 @@ use crate::whole::read_text;
 pub const MOST_ACTIONS: u32 = 10_000_000;
 /// Most bytes of a file with a layout.
 const MOST_BYTES: u64 = 1 << 20;
+
+/// The rooms of a life with this seed, as seeds: two of its childhood, and the third, in which it is
+/// tested and something breaks.
+///
+/// The later ones are far from every seed that a person names, so that no test repeats a childhood.
+///
+/// ```
+/// use host_sim::world::setting::rooms;
+/// assert_eq!(rooms(7), [7, 4_603_104_468_681_784_384, 3_141_236_514_677_479_789]);
+/// ```
+#[must_use]
+pub fn rooms(seed: u64) -> [u64; 3] {
+    let other = |stream| Rng::stream(seed, stream).next_seed();
+    [seed, other(4), other(1)]
+}
 
 /// A world that can be built for any seed.
 #[derive(Clone, Debug, PartialEq, Serialize)]

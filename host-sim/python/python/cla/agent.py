@@ -8,6 +8,7 @@ import struct
 from typing import Any, Iterable, Mapping, NamedTuple, Sequence
 
 import gymnasium
+import numpy as np
 from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
 
 from cla import _checked
@@ -15,7 +16,8 @@ from cla._native import Agent as _Native
 
 __all__ = ["Agent", "Choice", "Life"]
 
-_HEAD = b"CLAPY\x01\x00\x00"
+# The version is raised whenever what is pickled beside the image changes.
+_HEAD = b"CLAPY\x02\x00\x00"
 _FRESH = 0xCBF2_9CE4_8422_2325
 
 
@@ -25,6 +27,15 @@ def _bare(env: Any) -> Any:
         env = env.env
     is_ours = getattr(env, "_is_ours", None) if not isinstance(env, gymnasium.Wrapper) else None
     return env if is_ours is not None and is_ours() else None
+
+
+def _behind(env: Any, observation: Any, info: Mapping[str, Any]) -> Any:
+    """The percept of a world of the project whose observation came through unchanged; else ``None``."""
+    percept = getattr(env.unwrapped, "percept", None)
+    if percept is None or "cla" not in info:
+        return None
+    felt = percept()
+    return felt if np.array_equal(observation, np.maximum(felt, 0)) else None
 
 
 class Choice(NamedTuple):
@@ -179,14 +190,17 @@ class Agent:
         ``paid`` says whether the environment's reward counts beside the values of the items; when it
         is not given, it does for an agent without values.
         """
-        observation, reward, terminated, truncated, info = step
+        brought = self._learn_from(step, self._is_paid(paid))
+        if step[2] or step[3]:
+            self.interrupt()
+        return brought
+
+    def _learn_from(self, step: tuple[Any, ...], is_paid: bool) -> float:
+        observation, reward, _, _, info = step
         own = info.get("cla", {})
-        felt = own.get("felt", observation)
-        brought = self.learn(felt, reward if self._is_paid(paid) else 0.0)
+        brought = self.learn(own.get("felt", observation), reward if is_paid else 0.0)
         for before, action, after in own.get("reflexes", ()):
             self.observe(before, action, after)
-        if terminated or truncated:
-            self.interrupt()
         return brought
 
     def _is_paid(self, paid: bool | None) -> bool:
@@ -207,7 +221,8 @@ class Agent:
         the environment stands where it ended.  Where a wrapper lies around it that may change what
         comes through, and in any other environment with as many binary items and discrete actions, a
         life begins with a reset and goes step by step through ``env.step``: what that returns is all
-        that the agent learns from.
+        that the agent learns from.  An observation that a wrapper has left as the world gave it stands
+        for the percept behind it, reflexes included, as in :meth:`learn_from`.
         After a reset what comes next does not follow from what was: :meth:`interrupt` is called.
 
         ``paid`` is that of :meth:`learn_from`.
@@ -225,8 +240,13 @@ class Agent:
         observation = self._reset(env)
         for _ in range(count):
             step = env.step(self.choose(observation).action)
-            observation, reward, terminated, truncated, _ = step
-            self.learn(observation, reward if is_paid else 0.0)
+            observation, reward, terminated, truncated, info = step
+            percept = _behind(env, observation, info)
+            if percept is None:
+                self.learn(observation, reward if is_paid else 0.0)
+            else:
+                self._learn_from(step, is_paid)
+                observation = percept
             earned += float(reward)
             if terminated or truncated:
                 episodes += 1
@@ -236,7 +256,9 @@ class Agent:
     def _reset(self, env: gymnasium.Env[Any, Any]) -> Any:
         if self._has_lived():
             self.interrupt()
-        return env.reset()[0]
+        observation, info = env.reset()
+        percept = _behind(env, observation, info)
+        return observation if percept is None else percept
 
     def _has_lived(self) -> bool:
         return bool(self._native.inside()["samples"])
@@ -370,7 +392,8 @@ class Agent:
         kept = dict(state)
         image = kept.pop("image")
         if image[: len(_HEAD)] != _HEAD:
-            raise ValueError("this is no pickled agent of this version")
+            was = f"version {image[5]}" if image[:5] == _HEAD[:5] and len(image) > 5 else "no version"
+            raise ValueError(f"a pickled agent of {was}: those of version {_HEAD[5]} can be read")
         self.__dict__.update(kept)
         self._native = self._born()
         (digest,) = struct.unpack_from("<Q", image, len(_HEAD))

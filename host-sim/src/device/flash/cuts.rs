@@ -31,7 +31,8 @@ pub struct Cuts {
     /// Moments at which the power went.
     pub points: u64,
     /// Those of them within a save of the history, no two of which are the same place and degree in
-    /// writing the same image. A history that saves an age twice counts that once.
+    /// writing the same image. A history that saves an age twice counts that once; two histories of the
+    /// same images, one with and one without error correction, count each such place once each.
     pub distinct: u64,
     /// Those of them that fell into a recovery or the save after it.
     pub again: u64,

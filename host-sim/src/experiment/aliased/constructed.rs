@@ -84,10 +84,7 @@ pub(super) fn of(
     let best = best(&by_item)
         .into_iter()
         .map(|(bits, seen, item, state, sure, without)| Item {
-            schema: match item.checked_sub(1) {
-                Some(item) => learner.tells(item as u16, names),
-                None => "none".to_owned(),
-            },
+            schema: learner.tells(item as u16, names),
             percept: seen
                 .checked_sub(1)
                 .map_or("nothing", |it| names.0[it])
@@ -174,6 +171,10 @@ fn best(moments: &[Moment]) -> Vec<(f64, usize, usize, usize, f64, f64)> {
     let alone = counted(moments, |it| it.0);
     let mut rows: BTreeMap<usize, (f64, usize, usize, usize, f64, f64)> = BTreeMap::new();
     for ((seen, item), states) in counted(moments, |it| (it.0, it.1)) {
+        // Moments in which no item was on have no row.
+        let Some(item) = item.checked_sub(1) else {
+            continue;
+        };
         let here = total(&states);
         let others = &alone[&seen];
         let among = total(others);
@@ -192,7 +193,7 @@ fn best(moments: &[Moment]) -> Vec<(f64, usize, usize, usize, f64, f64)> {
             *kept = row;
         }
     }
-    let mut rows: Vec<_> = rows.into_values().filter(|it| it.2 > 0).collect();
+    let mut rows: Vec<_> = rows.into_values().collect();
     rows.sort_by(|a, b| b.0.total_cmp(&a.0));
     rows.truncate(MOST);
     rows

@@ -9,7 +9,6 @@ use cla_core::choice::HabitConfig;
 use cla_core::forager::pioneer::Brain;
 use cla_core::knowledge::Estimate;
 use cla_core::level2::Level2Config;
-use cla_core::num::Rng;
 use serde::{Deserialize, Serialize};
 
 use super::bench::{Bench, Captures, fresh};
@@ -18,7 +17,7 @@ use crate::failure::Failure;
 use crate::learner::live;
 use crate::world::config::AfterCapture;
 use crate::world::damage::{Damage, Damaged};
-use crate::world::setting::WorldOptions;
+use crate::world::setting::{WorldOptions, rooms};
 
 /// Share of greedy runs when level 1 goes on alone.
 const LEVEL1_GREEDY: f32 = 0.8;
@@ -210,7 +209,8 @@ fn grown_and(
     let mut brain = Box::new(young.clone());
     look(&brain)?;
     brain.reconfigure(config)?;
-    let mut world = world.build(Rng::stream(bench.seed, 4).next_seed())?;
+    let [_, second, _] = rooms(bench.seed);
+    let mut world = world.build(second)?;
     for _ in 0..bench.options.actions / SNAPSHOT {
         bench.live(&mut brain, &mut world, SNAPSHOT)?;
         look(&brain)?;

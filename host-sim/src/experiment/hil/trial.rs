@@ -9,7 +9,6 @@ use std::time::{Duration, Instant};
 
 use cla_core::agent::{Agent, AgentConfig};
 use cla_core::forager::pioneer::{self, Brain};
-use cla_core::num::Rng;
 use cla_core::word::Cost;
 use firmware_example::controller::knowledge;
 use firmware_example::link::{Answer, Order};
@@ -25,6 +24,7 @@ use crate::learner::{Learner, live};
 use crate::world::Percept;
 use crate::world::config::PioneerConfig;
 use crate::world::pioneer::Pioneer;
+use crate::world::setting::rooms;
 
 /// What came of one life.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -126,15 +126,16 @@ pub fn run(
         choices: 0,
         same: 0,
     };
-    let mut world = Pioneer::new(PioneerConfig::NOISY, seed)?;
+    let [first, second, third] = rooms(seed);
+    let mut world = Pioneer::new(PioneerConfig::NOISY, first)?;
     let young = live(&mut twins, &mut world, actions)?;
     twins.distant.begin_second_level()?;
     twins.here.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
-    let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 4).next_seed())?;
+    let mut world = Pioneer::new(PioneerConfig::NOISY, second)?;
     let grown = live(&mut twins, &mut world, actions)?;
     twins.act()?;
     // The test world of `forage`.
-    let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 1).next_seed())?;
+    let mut world = Pioneer::new(PioneerConfig::NOISY, third)?;
     let tested = live(&mut twins, &mut world, test_actions)?;
     let mut load = young.load;
     load.merge(&grown.load);

@@ -1,7 +1,10 @@
 //! The figures of lives anywhere: what everybody obtains, thousand by thousand.
 
+use csv::Writer;
+
 use super::options::LiveOptions;
 use super::trial::{Course, Lives, Trial};
+use crate::failure::Failure;
 use crate::learner::STRIDE;
 use crate::report::figure::{Axes, FigureError, Line, Picture, Point, line_chart};
 use crate::report::sample;
@@ -10,65 +13,99 @@ use crate::world::damage::Damage;
 /// Actions of a point.
 const POINT: u32 = 1000;
 
-/// Everything that is drawn, with the names of the files; nothing of lives shorter than a point.
+/// Everything that is drawn, with the names of the files; nothing of lives that are too short for two
+/// points, between which a line could be drawn.
 pub(super) fn all(
     options: &LiveOptions,
     trials: &[Trial],
 ) -> Result<Vec<(String, Picture)>, FigureError> {
-    if options.protocol.after < POINT || trials.is_empty() {
-        return Ok(Vec::new());
-    }
     let mut pictures = Vec::new();
+    let mut draw = |name: String, title: &str, course: &dyn Fn(&Lives) -> Option<Course>| {
+        let lives = trials.iter().flat_map(|it| &it.0);
+        let mut courses = lives.filter_map(course);
+        if courses.any(|it| points(&it).len() > 1) {
+            pictures.push((name, chart(options, trials, title, course)?));
+        }
+        Ok::<(), FigureError>(())
+    };
     if options.damages.is_empty() {
         let title = "What everybody obtains, after a childhood";
-        let course = |it: &Lives| Some(it.twin.clone());
-        pictures.push(("lives".to_owned(), chart(options, trials, title, &course)?));
+        draw("lives".to_owned(), title, &|it| Some(it.twin.clone()))?;
     }
     for (index, damage) in options.damages.iter().enumerate() {
         let title = format!("What everybody obtains before and after the damage {damage}");
-        let course = |it: &Lives| it.damaged.get(index).cloned();
         let name = format!("lives-{}", Damage::id(damage));
-        pictures.push((name, chart(options, trials, &title, &course)?));
+        draw(name, &title, &|it| it.damaged.get(index).cloned())?;
     }
     Ok(pictures)
 }
 
-/// What was obtained in each thousand actions; those before the damage stand at negative places.
-fn points(course: &Course) -> Vec<(f64, f64)> {
+/// What was obtained in up to a thousand actions, `from` one `to` another, counted from the damage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Window {
+    from: i64,
+    to: i64,
+    obtained: u32,
+    /// Whether it has as many strides as a point.
+    whole: bool,
+}
+
+/// The windows of a life in their order: those before the damage are counted back from it, those after
+/// it onwards, and so the shorter ones are the first and the last.
+fn windows_of(course: &Course) -> Vec<Window> {
     let strides = (POINT / STRIDE) as usize;
-    let [before, after] = &course.obtained;
-    let sums = |part: &[u32]| -> Vec<f64> {
-        let chunks = part.chunks_exact(strides);
-        chunks.map(|it| f64::from(it.iter().sum::<u32>())).collect()
+    let window = |first: usize, part: &[u32], start: i64, end: i64| {
+        let place = |stride: usize| (start + stride as i64 * i64::from(STRIDE)).min(end);
+        Window {
+            from: place(first),
+            to: place(first + part.len()),
+            obtained: part.iter().sum(),
+            whole: part.len() == strides,
+        }
     };
-    let before = sums(before);
-    let start = -f64::from(POINT) * before.len() as f64;
-    let all = before.into_iter().chain(sums(after));
-    let at = |index: usize| start + f64::from(POINT) * (index as f64 + 0.5);
-    all.enumerate()
-        .map(|(index, sum)| (at(index), sum))
+    let [before, after] = &course.obtained;
+    let [lived, left] = course.actions.map(i64::from);
+    let mut all = Vec::new();
+    let mut first = before.len();
+    for part in before.rchunks(strides) {
+        first -= part.len();
+        all.push(window(first, part, -lived, 0));
+    }
+    all.reverse();
+    for (index, part) in after.chunks(strides).enumerate() {
+        all.push(window(index * strides, part, 0, left));
+    }
+    all
+}
+
+/// The whole windows, each at its middle.
+fn points(course: &Course) -> Vec<(f64, f64)> {
+    let whole = windows_of(course).into_iter().filter(|it| it.whole);
+    whole
+        .map(|it| (0.5 * (it.from + it.to) as f64, f64::from(it.obtained)))
         .collect()
 }
 
-/// What each life obtained in each thousand actions, as a table: those before the damage stand at
-/// negative places.
-pub(super) fn windows(options: &LiveOptions, trials: &[Trial]) -> String {
-    let mut text = "seed,learner,damage,from,obtained\n".to_owned();
+/// What each life obtained in each thousand actions, as a table: the places are actions from the
+/// damage on, those before it negative, and the first and the last window may be shorter.
+pub(super) fn windows(options: &LiveOptions, trials: &[Trial]) -> Result<String, Failure> {
+    let mut table = Writer::from_writer(Vec::new());
+    table.write_record(["seed", "learner", "damage", "from", "to", "obtained"])?;
     for (seed, trial) in options.seeds.iter().zip(trials) {
         for lives in &trial.0 {
             let twin = core::iter::once(("none".to_owned(), &lives.twin));
             let names = options.damages.iter().map(Damage::to_string);
             for (damage, course) in twin.chain(names.zip(&lives.damaged)) {
-                for (middle, obtained) in points(course) {
-                    let from = middle - 0.5 * f64::from(POINT);
-                    let who = &lives.who;
-                    // A damage may have a comma in it, and nothing has a quote.
-                    text.push_str(&format!("{seed},{who},\"{damage}\",{from},{obtained}\n"));
+                for it in windows_of(course) {
+                    let [from, to] = [it.from, it.to].map(|it| it.to_string());
+                    let (seed, obtained) = (seed.to_string(), it.obtained.to_string());
+                    table.write_record([&seed, &lives.who, &damage, &from, &to, &obtained])?;
                 }
             }
         }
     }
-    text
+    let bytes = table.into_inner().map_err(|it| it.to_string())?;
+    Ok(String::from_utf8(bytes)?)
 }
 
 fn chart(
@@ -104,4 +141,36 @@ fn chart(
         x
     };
     line_chart(&Axes::new(title, x, y).caption(caption), &lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{points, windows_of};
+    use crate::experiment::live::Course;
+
+    /// 2,110 and 1,040 actions in strides of 25, one obtained in each.
+    #[test]
+    fn windows_are_counted_from_the_damage_and_lose_no_action() {
+        let course = Course {
+            obtained: [vec![1; 85], vec![1; 42]],
+            actions: [2_110, 1_040],
+            ..Course::default()
+        };
+        let all = windows_of(&course);
+        let said = all.iter().map(|it| (it.from, it.to, it.obtained));
+        // The last stride before the damage is shorter.
+        let there = [
+            (-2_110, -1_985, 5),
+            (-1_985, -985, 40),
+            (-985, 0, 40),
+            (0, 1_000, 40),
+            (1_000, 1_040, 2),
+        ];
+        assert_eq!(said.collect::<Vec<_>>(), there);
+        let lived: i64 = all.iter().map(|it| it.to - it.from).sum();
+        assert_eq!((lived, all[0].from), (3_150, -2_110));
+        assert_eq!(points(&course).len(), 3);
+        assert_eq!(points(&course)[2], (500.0, 40.0));
+        assert!(windows_of(&Course::default()).is_empty());
+    }
 }

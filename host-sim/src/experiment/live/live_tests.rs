@@ -98,14 +98,18 @@ fn the_pioneers_rival_lives_the_life_that_it_lives_in_recover() {
     let (ours, theirs) = (&live[0].0[0].damaged[0], recover[0].course(0, who).unwrap());
     assert_eq!(ours.obtained[0], theirs.before);
     assert_eq!(ours.obtained[1], theirs.after);
-    // The thousand actions after the damage, and of the life without one, stand in the table, too.
-    let table = super::figures::windows(&options, &live);
+    // What comes before the damage and the thousand actions after it, and those of the life without one,
+    // stand in the table, too.
+    let table = super::figures::windows(&options, &live).unwrap();
+    let calm: u32 = ours.obtained[0].iter().sum();
     let damaged: u32 = ours.obtained[1].iter().sum();
     let twin = live[0].0[0].twin.all();
     let rows = [
-        "seed,learner,damage,from,obtained".to_owned(),
-        format!("5,sarsa-history,\"none\",0,{twin}"),
-        format!("5,sarsa-history,\"camera:+12\",0,{damaged}"),
+        "seed,learner,damage,from,to,obtained".to_owned(),
+        format!("5,sarsa-history,none,-200,0,{calm}"),
+        format!("5,sarsa-history,none,0,1000,{twin}"),
+        format!("5,sarsa-history,camera:+12,-200,0,{calm}"),
+        format!("5,sarsa-history,camera:+12,0,1000,{damaged}"),
     ];
     assert_eq!(table.lines().collect::<Vec<_>>(), rows);
     // Another seed is another life.

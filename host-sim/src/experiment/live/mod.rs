@@ -67,7 +67,7 @@ impl Experiment for Live {
         let named: Vec<(&str, &str)> = named.iter().map(|(who, id)| (*who, id.as_str())).collect();
         let what = format!("obtained undamaged in {} actions", options.protocol.after);
         let results = results.headline(&what, &named);
-        let results = results.file(WINDOWS, figures::windows(options, trials));
+        let results = results.file(WINDOWS, figures::windows(options, trials)?);
         let mut results = results.file(SETTINGS, options.file()?);
         for (name, picture) in figures::all(options, trials)? {
             results = results.picture(&name, picture);

@@ -3,7 +3,6 @@
 //! The protocol is that of `recover`: a childhood in two rooms, then a third in which a life goes on
 //! undamaged or is damaged; who is damaged has the past of its undamaged twin.
 
-use cla_core::num::Rng;
 use serde::{Deserialize, Serialize};
 
 use super::inhabitant::Inhabitant;
@@ -14,6 +13,7 @@ use crate::learner::rewarded::{Hears, Income, Paced, paced};
 use crate::learner::{Learner, STRIDE};
 use crate::progress::Ticker;
 use crate::world::damage::{Damage, Damaged};
+use crate::world::setting::rooms;
 
 /// The later part of a life.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -126,7 +126,8 @@ fn lives(
     };
     let mut grown = who.born(world, seed)?;
     let mut childhood = Vec::new();
-    for room in [seed, Rng::stream(seed, 4).next_seed()] {
+    let [first, second, _] = rooms(seed);
+    for room in [first, second] {
         let mut room = world.build(seed, room)?;
         let part = paced(&mut *grown, &mut room, options.protocol.training, hears)?;
         childhood.extend(part.obtained);
@@ -159,9 +160,8 @@ fn course(
     hears: Hears,
     seed: u64,
 ) -> Result<Course, Failure> {
-    let fresh = options
-        .world
-        .build(seed, Rng::stream(seed, 1).next_seed())?;
+    let [_, _, fresh] = rooms(seed);
+    let fresh = options.world.build(seed, fresh)?;
     let mut world = Damaged::new(fresh, Damage::None, seed)?;
     let born = learner.alarms();
     let before = paced(learner, &mut world, options.protocol.before, hears)?;

@@ -6,7 +6,6 @@ use std::sync::{PoisonError, RwLock};
 
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::{pioneer, small};
-use cla_core::num::Rng;
 use cla_core::snapshot::Stored;
 use cla_core::som::Prototypes;
 use firmware_example::replay::{Forager, be_born};
@@ -19,6 +18,7 @@ use crate::failure::Failure;
 use crate::learner::live;
 use crate::world::config::PioneerConfig;
 use crate::world::pioneer::Pioneer;
+use crate::world::setting::rooms;
 
 /// Actions of training and of a test, as in `forage`.
 const ACTIONS: (u32, u32) = (10_000, 3_000);
@@ -97,13 +97,13 @@ fn captures<
 ) -> Result<u32, Failure> {
     let mut brain: Box<Forager<W, H, P, S, Y, B, M>> = Box::new(brain);
     be_born(&mut brain, AgentConfig::FORAGER, seed)?;
-    let mut world = Pioneer::new(PioneerConfig::NOISY, seed)?;
+    let [first, second, third] = rooms(seed);
+    let mut world = Pioneer::new(PioneerConfig::NOISY, first)?;
     live(&mut *brain, &mut world, ACTIONS.0)?;
     brain.reconfigure(AgentConfig::FORAGER_LEVEL2)?;
-    let mut world = Pioneer::new(PioneerConfig::NOISY, Rng::stream(seed, 4).next_seed())?;
+    let mut world = Pioneer::new(PioneerConfig::NOISY, second)?;
     live(&mut *brain, &mut world, ACTIONS.0)?;
     brain.act(Adaptation::Reliabilities)?;
-    let test = Rng::stream(seed, 1).next_seed();
-    let mut world = Pioneer::new(PioneerConfig::NOISY, test)?;
+    let mut world = Pioneer::new(PioneerConfig::NOISY, third)?;
     Ok(live(&mut *brain, &mut world, ACTIONS.1)?.total())
 }

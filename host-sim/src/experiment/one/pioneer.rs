@@ -5,7 +5,6 @@
 
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forest::Mind;
-use cla_core::num::Rng;
 
 use super::measured::Trial;
 use super::options::OneOptions;
@@ -18,6 +17,7 @@ use crate::world::World;
 use crate::world::config::PioneerConfig;
 use crate::world::distracted::Distracted;
 use crate::world::pioneer::{BUMP, INGRIP, ITEMS, Pioneer};
+use crate::world::setting::rooms;
 use crate::world::veil::{Lost, Veil, Veiled};
 
 /// The one learner in the Pioneer.
@@ -49,12 +49,14 @@ pub(super) fn room(seed: u64) -> Result<Pioneer, Failure> {
 
 /// The room of the second half of a training.
 pub(super) fn second(seed: u64) -> u64 {
-    Rng::stream(seed, 4).next_seed()
+    let [_, second, _] = rooms(seed);
+    second
 }
 
 /// The room of the tests, as in the experiment on recovery.
 pub(super) fn fresh(seed: u64) -> u64 {
-    Rng::stream(seed, 1).next_seed()
+    let [_, _, fresh] = rooms(seed);
+    fresh
 }
 
 fn values<const ALL: usize>(bump: f32) -> [f32; ALL] {

@@ -14,7 +14,7 @@ use crate::learner::forager::Forager;
 use crate::learner::{Learner, STRIDE, Watch, live, watched};
 use crate::world::damage::{Damage, Damaged};
 use crate::world::pioneer::Pioneer;
-use crate::world::setting::{MOST_ACTIONS, WorldOptions};
+use crate::world::setting::{MOST_ACTIONS, WorldOptions, rooms};
 
 /// How long each part of a life is, in actions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -205,7 +205,8 @@ pub fn grown(
 /// # Errors
 /// [`Failure`] when it cannot be built.
 pub fn second(world: &WorldOptions, seed: u64) -> Result<Pioneer, Failure> {
-    Ok(world.build(Rng::stream(seed, 4).next_seed())?)
+    let [_, second, _] = rooms(seed);
+    Ok(world.build(second)?)
 }
 
 /// The world in which a seed's learners act; nobody has lived in it.
@@ -213,8 +214,8 @@ pub fn second(world: &WorldOptions, seed: u64) -> Result<Pioneer, Failure> {
 /// # Errors
 /// [`Failure`] when it cannot be built.
 pub fn fresh(world: &WorldOptions, seed: u64) -> Result<Pioneer, Failure> {
-    // Far from every seed that a person names, so that no test repeats a training world.
-    Ok(world.build(Rng::stream(seed, 1).next_seed())?)
+    let [_, _, fresh] = rooms(seed);
+    Ok(world.build(fresh)?)
 }
 
 /// Lives the later parts; the damage comes between them, and only who listens is told.

@@ -73,7 +73,7 @@ fn slow_parts_are_run_when_they_are_named_or_all_are() {
 }
 
 #[test]
-fn a_learner_that_is_refused_ends_its_life_and_one_that_was_lost_goes_on() {
+fn a_life_whose_brain_was_lost_goes_on() {
     let options = SurviveOptions {
         shorter: Scale(10),
         ..SurviveOptions::new(vec![3], &["ram_flips".into()]).unwrap()

@@ -283,18 +283,9 @@ impl SweepOptions {
     /// # Errors
     /// [`Impossible`] for a value that TOML cannot say.
     pub fn file(&self) -> Result<String, Impossible> {
-        let first = self.points.first();
-        let mut all = first.map_or_else(empty, |it| it.live.settings());
-        for axis in &self.grid {
-            // Who is varied as a whole has at each point its own settings.
-            let whole = axis.key.strip_suffix(".name").unwrap_or(&axis.key);
-            if let Some(table) = all.as_object_mut().filter(|it| it.contains_key(whole)) {
-                table.remove(whole);
-                if let Some(given) = self.given.get(whole) {
-                    table.insert(whole.to_owned(), given.clone());
-                }
-            }
-        }
+        // What follows a setting that is varied, such as how a rival was tuned for a world, is not shared.
+        let all = self.points.iter().map(|it| it.live.settings());
+        let mut all = all.reduce(|all, it| shared(all, &it)).unwrap_or_else(empty);
         for axis in &self.grid {
             remove(&mut all, &axis.key);
         }
@@ -340,6 +331,22 @@ impl SweepOptions {
             Err(Impossible::new(sentence))
         }
     }
+}
+
+/// What two trees say alike.
+fn shared(one: Value, other: &Value) -> Value {
+    let (Value::Object(table), Some(other)) = (one, other.as_object()) else {
+        return empty();
+    };
+    let kept = table.into_iter().filter_map(|(key, it)| {
+        let there = other.get(&key)?;
+        if it == *there {
+            return Some((key, it));
+        }
+        let below = (it.is_object() && there.is_object()).then(|| shared(it, there))?;
+        Some((key, below))
+    });
+    Value::Object(kept.collect())
 }
 
 /// Takes a setting out of a tree.

@@ -2,6 +2,8 @@
 
 use cla_core::num::Rng;
 
+use crate::world::shuffle;
+
 /// Syllables of a language.
 pub const SYLLABLES: usize = 12;
 /// Words that are spoken in a stream.
@@ -68,12 +70,6 @@ impl Language {
 
     fn spoken(&self, tokens: &[usize]) -> Vec<usize> {
         tokens.iter().flat_map(|&word| self.words[word]).collect()
-    }
-}
-
-fn shuffle<T>(list: &mut [T], rng: &mut Rng) {
-    for last in (1..list.len()).rev() {
-        list.swap(last, rng.below(last as u32 + 1) as usize);
     }
 }
 

@@ -3,6 +3,7 @@
 use cla_core::num::Rng;
 
 use crate::world::names::{Names, kept};
+use crate::world::shuffle;
 use crate::world::solve::Mdp;
 
 /// Fewest and most items of a world.
@@ -90,12 +91,6 @@ fn one_of<T: Copy>(rng: &mut Rng, of: &[T]) -> T {
     of[rng.below(of.len() as u32) as usize]
 }
 
-fn shuffle<T>(rng: &mut Rng, of: &mut [T]) {
-    for last in (1..of.len()).rev() {
-        of.swap(last, rng.below(last as u32 + 1) as usize);
-    }
-}
-
 impl Spec {
     /// The world of a seed: one in which the goal can be reached from everywhere, though not at once.
     #[must_use]
@@ -130,7 +125,7 @@ impl Spec {
                 _ => Shown::Blinks(one_of(rng, &[0.1, 0.3, 0.5])),
             });
         }
-        shuffle(rng, &mut shown);
+        shuffle(&mut shown, rng);
         shown.insert(0, Shown::Reward);
         let mut goal: Vec<Option<usize>> = (0..variables)
             .map(|it| {
@@ -304,6 +299,6 @@ fn effects(rng: &mut Rng, sizes: &[usize], actions: usize) -> Vec<Effect> {
             }
         })
         .collect();
-    shuffle(rng, &mut effects);
+    shuffle(&mut effects, rng);
     effects
 }

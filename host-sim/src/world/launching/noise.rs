@@ -9,6 +9,7 @@ use std::fmt;
 use cla_core::num::Rng;
 
 use super::event::{CELLS, Frame};
+use crate::world::shuffle;
 
 /// A disturbance that no training event has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,7 +68,7 @@ impl Noise {
             Self::PositionJumps => position_jumps(&mut noisy, rng),
             Self::SpeedVaries => speed_varies(&mut noisy, rng),
             Self::OffLattice => off_lattice(&mut noisy, rng),
-            Self::ShuffledSteps => shuffle(&mut noisy, rng),
+            Self::ShuffledSteps => shuffle_steps(&mut noisy, rng),
             Self::ThirdBall => third_ball(&mut noisy, rng),
             Self::DroppedFrame => drop_frame(&mut noisy, rng),
         }
@@ -131,7 +132,7 @@ fn off_lattice(frames: &mut [Frame], rng: &mut Rng) {
 }
 
 /// Draws orders until one differs from the event's own.
-fn shuffle(frames: &mut [Frame], rng: &mut Rng) {
+fn shuffle_steps(frames: &mut [Frame], rng: &mut Rng) {
     let last = frames.len().saturating_sub(1);
     let Some(inner) = frames.get_mut(1..last) else {
         return;
@@ -141,9 +142,7 @@ fn shuffle(frames: &mut [Frame], rng: &mut Rng) {
     }
     let before = inner.to_vec();
     while *inner == *before {
-        for i in (1..inner.len()).rev() {
-            inner.swap(i, rng.below(i as u32 + 1) as usize);
-        }
+        shuffle(inner, rng);
     }
 }
 

@@ -33,10 +33,10 @@ const TRAINING: u32 = 20_000;
 /// Actions of a block.
 const BLOCK: u32 = 100_000;
 /// Blocks in the Pioneer's room, and at the lamp.
-const BLOCKS: [usize; 2] = [10, 20];
+const BLOCKS: [usize; 2] = [100, 100];
 /// Actions between two looks at what choices are held to be worth.
 const LOOK: u32 = 97;
-/// Of the best block, what every block has to reach.
+/// What every block has to reach: of the best one's mean, and of the best that its own life had before.
 const SHARE: f64 = 0.9;
 
 /// Where they live, as claims name it.
@@ -166,14 +166,22 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
         for (name, _) in CONFIGURATIONS {
             let life = format!("long_life.{world}.{name}");
             let note = format!(
-                "the seed's worst of {blocks} blocks of 100,000 actions, over the mean of all seeds in \
-                 their best block"
+                "the seeds in the one of {blocks} blocks of 100,000 actions in which their mean is least, over \
+                 their mean in the best block"
             );
+            let means = block_means(trials, &life);
+            let best = means.iter().copied().fold(0.0, f64::max);
             all.push(
                 claim(&life, "share of the best block")
-                    .rule(Rule::every_seed(Bound::AtLeast(SHARE)))
+                    .rule(Rule::mean(Bound::AtLeast(SHARE)))
                     .note(note)
-                    .judge(&worst_blocks(trials, &life)),
+                    .judge(&worst_block(trials, &life, &means, best)),
+            );
+            all.push(
+                claim(&format!("{life}.fall"), "share of what was")
+                    .rule(Rule::every_seed(Bound::AtLeast(SHARE)))
+                    .note("the seed's least block over the best one that it had before")
+                    .judge(&deepest_falls(trials, &life)),
             );
             all.push(
                 claim(&format!("{life}.value"), "share of what can be earned")
@@ -184,27 +192,70 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
                     )
                     .judge(&of(trials, &format!("{life}.value"))),
             );
-            let best = best_block(trials, &life);
             all.push(claim(&format!("{life}.best_block"), "obtained").judge_count(best));
         }
     }
     all
 }
 
-/// The mean of all seeds in the block in which it is largest.
-fn best_block(trials: &[Trial], life: &str) -> f64 {
+/// The mean of all seeds in each block.
+fn block_means(trials: &[Trial], life: &str) -> Vec<f64> {
     let blocks = trials.first().map_or(0, |it| it.several(life).len());
     let of_block = |block: usize| {
         let seeds = trials.iter().filter_map(|it| it.several(life).get(block));
         mean(&seeds.copied().collect::<Vec<_>>())
     };
-    (0..blocks).map(of_block).fold(f64::NAN, f64::max)
+    (0..blocks).map(of_block).collect()
 }
 
-/// Each seed's worst block, over the best one of all.
-fn worst_blocks(trials: &[Trial], life: &str) -> Vec<f64> {
-    let best = best_block(trials, life);
-    let worst = |it: &Trial| it.several(life).iter().copied().fold(f64::NAN, f64::min);
+/// Each seed in the block whose mean is least, over the best mean.
+fn worst_block(trials: &[Trial], life: &str, means: &[f64], best: f64) -> Vec<f64> {
+    let blocks = means.iter().enumerate();
+    let worst = blocks.min_by(|one, other| one.1.total_cmp(other.1));
+    let worst = worst.map_or(0, |it| it.0);
+    let of_trial = |it: &Trial| it.several(life).get(worst).copied();
     // Who earned nothing kept no share of anything.
-    trials.iter().map(|it| worst(it) / best.max(1.0)).collect()
+    let all = trials.iter().filter_map(of_trial);
+    all.map(|obtained| obtained / best.max(1.0)).collect()
+}
+
+/// How deep each seed's life fell: its least block over the best before it, 1 where there was nothing to
+/// fall from.
+fn deepest_falls(trials: &[Trial], life: &str) -> Vec<f64> {
+    trials
+        .iter()
+        .map(|it| deepest_fall(it.several(life)))
+        .collect()
+}
+
+fn deepest_fall(blocks: &[f64]) -> f64 {
+    let (mut best, mut fall) = (0.0_f64, 1.0_f64);
+    for &obtained in blocks {
+        if best > 0.0 {
+            fall = fall.min(obtained / best);
+        }
+        best = best.max(obtained);
+    }
+    fall
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Trial, block_means, deepest_fall, worst_block};
+
+    #[test]
+    fn a_life_that_grows_does_not_fall_and_the_worst_block_is_that_of_all_seeds() {
+        assert_eq!(deepest_fall(&[2.0, 4.0, 3.0, 5.0, 4.5]), 0.75);
+        assert_eq!(deepest_fall(&[0.0, 0.0]), 1.0);
+        assert_eq!(deepest_fall(&[8.0, 0.0, 8.0]), 0.0);
+        let lives = [[4.0, 2.0, 8.0], [2.0, 2.0, 0.0]];
+        let trials = lives.map(|life| {
+            let mut trial = Trial::default();
+            trial.note_all("it", life.to_vec());
+            trial
+        });
+        let means = block_means(&trials, "it");
+        assert_eq!(means, [3.0, 2.0, 4.0]);
+        assert_eq!(worst_block(&trials, "it", &means, 4.0), [0.5, 0.5]);
+    }
 }

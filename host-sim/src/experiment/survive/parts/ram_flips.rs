@@ -401,3 +401,7 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
     }
     claims
 }
+
+#[cfg(test)]
+#[path = "ram_flips_tests.rs"]
+mod tests;
