@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use cla_core::forest::{Heard, MindConfig, Voice};
 use cla_tests::root;
 use firmware_example::trace::ACTIONS;
-use host_sim::report::Summary;
+use host_sim::report::{Summary, Verdict, mean};
 use toml::Table;
 
 fn read(path: &Path) -> String {
@@ -275,12 +275,42 @@ fn the_guide_says_what_was_measured() {
     let guide = root().join("docs/guide/src");
     let claims = read(&root().join("tests/claims/one.json"));
     let claims = Summary::from_json(&claims).expect("the claims can be read");
-    let kept = claims.find("one.distractors.20").expect("a claim");
-    let kept = format!("{:.2}", kept.ours.value.expect("an estimate")).replace("0.", ".");
-    let words = format!("keeps {kept} of its captures");
-    assert!(read(&guide.join("robot.md")).contains(&words), "{words}");
+    let claim = |id: &str| claims.find(id).expect("a claim");
+    let short = |value: f64| format!("{value:.2}").replace("0.", ".");
+    let kept = |id: &str| short(claim(id).ours.value.expect("an estimate"));
+    let robot = read(&guide.join("robot.md"));
+    for words in [
+        format!(
+            "keeps {} of its captures with eight such items",
+            kept("one.distractors.8")
+        ),
+        format!("and {} with twenty", kept("one.distractors.20")),
+    ] {
+        assert!(robot.contains(&words), "{words}");
+    }
+    let missed = claim("one.distractors.8").verdict == Verdict::Missed;
+    assert_eq!(robot.contains("which misses the .95"), missed);
+    let small = claim("one.forager.small");
+    let interval = small.ours.interval.as_ref().expect("an interval");
+    let high = interval.high.expect("two ends");
+    let earned = |id: &str| {
+        let seeds: Vec<f64> = claim(id).per_seed.iter().flatten().copied().collect();
+        mean(&seeds)
+    };
+    let sizing = read(&guide.join("sizing.md"));
+    for words in [
+        format!("keeps {} of the captures", kept("one.forager.small")),
+        format!("from {} to {}", short(interval.low), short(high)),
+        format!(
+            "earns {:.0} for {:.0}, t",
+            earned("one.vacuum.lean"),
+            earned("one.vacuum")
+        ),
+    ] {
+        assert!(sizing.contains(&words), "{words}");
+    }
     let actions = format!("{},000", ACTIONS / 1000);
     let fewer = format!("{},000", ACTIONS / 10_000);
-    let words = format!("relive {actions} actions on the first and {fewer} on the other two");
+    let words = format!("relive {actions} actions on the Cortex-M4F and {fewer} on the other two");
     assert!(read(&guide.join("cortex-m.md")).contains(&words), "{words}");
 }

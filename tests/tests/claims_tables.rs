@@ -42,24 +42,37 @@ fn summaries() -> Vec<Summary> {
 /// `ours` and `against` each arm of its pairs by itself, `low` and `high` the ends of its interval, `t`
 /// its test, `time` a time with the seeds in which it is
 /// never; digits are `3`, `.3` (no 0 before the point),
-/// `0,` (thousands apart) or `0%`.
+/// `0,` (thousands apart) or `0%`. `verdict` says whether a rule of our own is met, and
+/// `{experiment:rules}` how many of an experiment's are.
 fn fill(template: &str, summaries: &[Summary]) -> String {
     let mut text = String::new();
     let mut rest = template;
     while let Some((before, after)) = rest.split_once('{') {
         let (place, after) = after.split_once('}').expect("what is opened is closed");
         let parts: Vec<&str> = place.split(':').collect();
+        text.push_str(before);
+        rest = after;
+        if let [experiment, "rules"] = parts[..] {
+            let summary = summaries.iter().find(|it| it.experiment == experiment);
+            text.push_str(&rules_met(summary.expect("an experiment")));
+            continue;
+        }
         let claim = summaries.iter().find_map(|it| it.find(parts[0]));
         let claim = claim.unwrap_or_else(|| panic!("no claim {place}"));
-        text.push_str(before);
         text.push_str(&number(
             claim,
             parts[1],
             parts.get(2).copied().unwrap_or(""),
         ));
-        rest = after;
     }
     text + rest
+}
+
+/// How many rules of our own are met, of all that ask anything.
+fn rules_met(summary: &Summary) -> String {
+    let count = |verdict: Verdict| summary.verdicts.get(verdict.words()).copied().unwrap_or(0);
+    let asked = summary.verdicts.values().sum::<u32>() - count(Verdict::Measured);
+    format!("{} of {asked}", count(Verdict::Met))
 }
 
 /// A number as a table has it.
@@ -118,6 +131,10 @@ fn number(claim: &Claim, digits: &str, what: &str) -> String {
             let tested = claim.tested.as_ref().expect("a test");
             recovery::mind::signed(tested.statistic.expect("a test by t"))
         }
+        "verdict" => match claim.verdict {
+            Verdict::Measured => String::new(),
+            it => it.words().replace("extension: ", ""),
+        },
         "ours" => arm(&claim.per_seed),
         "against" => arm(claim.against.as_ref().expect("pairs")),
         other => panic!("{other} is nothing of a claim"),

@@ -43,11 +43,10 @@ fn a_seed_that_the_commit_chooses_is_tried_the_same_again() {
         // Of all seeds together, which one seed does not have.
         again.claims.retain(|it| it.estimator != Estimator::Count);
         // A debug build holds values that are computed twice against each other, and ends the life of
-        // a brain in which a flipped bit makes them differ and nobody turned it back.
-        again.claims.retain(|it| {
-            let unmended = ["unguarded", "audited", "several", "10x4"];
-            !cfg!(debug_assertions) || unmended.iter().all(|care| !it.id.contains(care))
-        });
+        // a brain in which a flipped bit makes them differ and nobody looks.
+        again
+            .claims
+            .retain(|it| !cfg!(debug_assertions) || !it.id.contains("unguarded"));
         let compared = assert_same_measurements(&again, &committed);
         assert_eq!(compared, again.claims.len());
         assert!(compared >= 3, "{compared}");
