@@ -1,6 +1,7 @@
 //! What fuzzers have found and where they have been, on stable: every file of the corpora goes through
 //! the body of its target, and so do bytes of chance, the same in every run.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -35,6 +36,24 @@ fn every_input_of_the_corpora_ends_quietly() {
             run(target, &bytes);
         }
     }
+}
+
+#[test]
+fn the_plan_of_the_fuzzers_has_every_target_and_a_hundred_million_executions() {
+    let plan = fs::read_to_string(root().join("tests/fuzz/plan.tsv")).expect("the plan");
+    let (mut targets, mut executions) = (BTreeSet::new(), 0_u64);
+    for line in plan.lines().filter(|it| !it.starts_with('#')) {
+        let cells: Vec<&str> = line.split('\t').collect();
+        let [target, bytes, runs] = cells[..] else {
+            panic!("three cells: {line}");
+        };
+        targets.insert(target);
+        assert!((1..=4096).contains(&bytes.parse::<u32>().expect("bytes")));
+        executions += runs.parse::<u64>().expect("executions");
+    }
+    let all: BTreeSet<&str> = TARGETS.iter().map(|(target, _)| *target).collect();
+    assert_eq!(targets, all);
+    assert!(executions >= 100_000_000, "{executions}");
 }
 
 /// An input of the corpus with other bytes, a piece of another one, or bytes of chance alone.

@@ -7,6 +7,7 @@ use cla_core::snapshot::{self, Names, Stored};
 use cla_core::som::Prototypes;
 use cla_core::word::{ActionId, ItemId};
 
+use super::are_shares;
 use super::operations::{Number, Percept, list};
 use super::robots::{bytes, floats};
 use cla_core::forager::pioneer;
@@ -118,6 +119,7 @@ fn sound<
     call: &str,
 ) {
     assert_eq!(agent.audit(), Audit::Sound, "after {call}");
+    are_shares(&agent.health());
     image.clear();
     let saved = snapshot::save(agent, Names::UNKNOWN, &mut Growing(image));
     match agent.stage() {

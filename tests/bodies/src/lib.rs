@@ -12,6 +12,23 @@ mod robots;
 mod texts;
 mod wires;
 
+use cla_core::Health;
+use cla_core::word::WINDOW;
+
+/// What a brain says of its health is what it may say.
+fn are_shares(health: &Health) {
+    let shares = [health.foreseen, health.unknown, health.fullest];
+    assert!(
+        shares.iter().all(|it| (0.0..=1.0).contains(it)),
+        "{health:?}"
+    );
+    // A call loses no more than its tables hold.
+    assert!(
+        (0.0..1.0e6).contains(&health.lost) && health.steps <= WINDOW,
+        "{health:?}"
+    );
+}
+
 /// What is done with some bytes.
 pub type Body = fn(&[u8]);
 

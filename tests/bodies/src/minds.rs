@@ -8,6 +8,7 @@ use cla_core::snapshot::{self, Audit, Names, SaveError, Stored};
 use cla_core::word::{ActionId, ItemId, SignedItems};
 
 use super::agents::Growing;
+use super::are_shares;
 use super::operations::{Number, Percept, list};
 use super::robots::{Mite, moth};
 use firmware_example::mind::Forager;
@@ -228,6 +229,7 @@ fn live<
         }
         if index % every == 0 || index + 1 == calls.len() {
             assert_eq!(mind.audit(), Audit::Sound, "after {call:?}");
+            are_shares(&mind.health());
             image.clear();
             match snapshot::save(mind, Names::UNKNOWN, &mut Growing(&mut image)) {
                 Ok(_) => born = true,

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::part::{Part, Scale};
-use super::parts::{ALL, UNCLAIMED};
+use super::parts::ALL;
 use crate::failure::Impossible;
 
 /// A part with a seed.
@@ -27,7 +27,7 @@ pub struct SurviveOptions {
 }
 
 impl SurviveOptions {
-    /// All parts that have committed claims, at the lengths that these ask for.
+    /// All parts, at the lengths that the claims ask for.
     #[must_use]
     pub fn standard(seeds: Vec<u64>) -> Self {
         Self {
@@ -37,8 +37,7 @@ impl SurviveOptions {
         }
     }
 
-    /// Parts by their names, `all` that have committed claims, or where none is named those of them that
-    /// take minutes at most.
+    /// Parts by their names, `all`, or where none is named those that take minutes at most.
     ///
     /// # Errors
     /// [`Impossible`] for a name that is none, and for a part whose tools are missing.
@@ -52,21 +51,20 @@ impl SurviveOptions {
     /// ```
     pub fn new(seeds: Vec<u64>, names: &[String]) -> Result<Self, Impossible> {
         let everything = names.iter().any(|it| it == "all");
-        let known = || ALL.iter().chain(UNCLAIMED);
         for name in names {
-            if name != "all" && known().all(|part| part.name != name) {
-                let known: Vec<&str> = known().map(|part| part.name).collect();
+            if name != "all" && ALL.iter().all(|part| part.name != name) {
+                let known: Vec<&str> = ALL.iter().map(|part| part.name).collect();
                 let known = known.join(", ");
                 let sentence = format!("--part: there is no {name:?}; there are {known} and all");
                 return Err(Impossible::new(sentence));
             }
         }
         let asked = |part: &&Part| {
-            let is_claimed = ALL.contains(part);
-            names.iter().any(|it| it == part.name)
-                || is_claimed && (everything || names.is_empty() && !part.is_slow)
+            everything
+                || names.is_empty() && !part.is_slow
+                || names.iter().any(|it| it == part.name)
         };
-        let parts: Vec<Part> = known().filter(asked).copied().collect();
+        let parts: Vec<Part> = ALL.iter().filter(asked).copied().collect();
         for part in &parts {
             (part.look_for_tools)()?;
         }

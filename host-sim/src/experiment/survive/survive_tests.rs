@@ -89,28 +89,27 @@ fn a_life_whose_brain_was_lost_goes_on() {
 }
 
 #[test]
-fn a_long_life_is_run_when_it_is_named_and_its_claims_are_not_declared() {
+fn a_long_life_is_judged_block_by_block() {
     let options = SurviveOptions {
-        shorter: Scale(200),
+        shorter: Scale(1000),
         ..SurviveOptions::new(vec![3, 4], &["long_life".into()]).unwrap()
     };
     let summary = judged_again::<Survive>(&options).unwrap().summary;
-    assert_eq!(
-        summary
-            .find("survive.long_life.unsound")
+    let of = |id: &str| {
+        &summary
+            .find(&format!("survive.long_life.{id}"))
             .unwrap()
             .ours
-            .value,
-        Some(0.0)
-    );
-    let lamp = summary.find("survive.long_life.lamp.mind").unwrap();
-    assert_eq!(lamp.ours.n, 2);
-    assert!(lamp.ours.value.is_some_and(|it| (0.0..=1.0).contains(&it)));
-    assert!(
-        declared()
-            .iter()
-            .all(|it| !it.id.starts_with("survive.long_life"))
-    );
+    };
+    assert_eq!(of("unsound").value, Some(0.0));
+    assert_eq!(of("lamp.mind").n, 2);
+    for id in ["lamp.mind", "lamp.mind.fall"] {
+        assert!(
+            of(id).value.is_some_and(|it| (0.0..=1.0).contains(&it)),
+            "{id}"
+        );
+    }
+    assert!(of("lamp.mind.best_block").value.is_some_and(|it| it > 0.0));
     let all = SurviveOptions::new(vec![3], &["all".into()]).unwrap();
     assert_eq!(all.parts, SurviveOptions::standard(vec![3]).parts);
 }

@@ -10,7 +10,7 @@ mod wire;
 
 use super::part::Part;
 
-/// All whose claims are declared, and stand in the committed results.
+/// All; their claims are declared, and stand in the committed results.
 pub(super) const ALL: &[Part] = &[
     bit_flip::PART,
     resume::PART,
@@ -18,7 +18,5 @@ pub(super) const ALL: &[Part] = &[
     kill::PART,
     ram_flips::PART,
     wire::PART,
+    long_life::PART,
 ];
-
-/// Those whose claims are not committed yet: they are run only when they are named.
-pub(super) const UNCLAIMED: &[Part] = &[long_life::PART];
