@@ -2,13 +2,17 @@
 
 mod lamp;
 
-use cla_core::choice::InherentValueError;
+use cla_core::choice::{ChoiceRule, InherentValueError, ValueConfig};
+use cla_core::knowledge::{Estimate, KnowledgeBase, PatternId, Reliability, SchemaId, SyntheticId};
+use cla_core::layer::overload::{OverloadDetector, Response, TotalActivation};
+use cla_core::layer::{Layer, LayerConfig};
+use cla_core::level2::Level2Config;
 use cla_core::map::{ActionSomBank, ResultCoding, Sample, TrainingConfig};
 use cla_core::num::{Neighbourhood, Rng, Schedule};
 use cla_core::snapshot::{self, Names};
-use cla_core::som::{BinarySom, DenseSom, Grid, NodeId, SparseStimulus, StimulusError};
-use cla_core::som::{quantization_error, topographic_error};
-use cla_core::word::{ActionId, ItemId, ItemStates};
+use cla_core::som::{BestMatch, BinarySom, ByteSom, DenseSom, Grid, NodeId, Prototypes};
+use cla_core::som::{SparseStimulus, StimulusError, quantization_error, topographic_error};
+use cla_core::word::{ActionId, ItemId, ItemStates, SchemaText, Vocabulary};
 use cla_core::{Adaptation, AgentConfig, Level};
 use lamp::{Lamp, bytes, floats};
 
@@ -174,4 +178,226 @@ fn wins_keep_their_shares_however_long_a_map_is_trained() {
     assert!(all <= 65_535, "{wins:?}");
     let share = f64::from(*most) / f64::from(all);
     assert!((share - 0.9).abs() < 0.01, "{wins:?}");
+}
+
+/// A conjunction that leads to gold, and two that lead to each other.
+fn walks() -> KnowledgeBase<1, 8, 8> {
+    let words = Vocabulary {
+        items: &["here", "there", "gold"],
+        actions: &["walk", "leap"],
+    };
+    let mut it = KnowledgeBase::new();
+    it.set_inherent_value(ItemId(2), 1e9).unwrap();
+    for text in [
+        "+here/walk/+there",
+        "+there/walk/+here",
+        "+there/leap/+gold",
+    ] {
+        let text = SchemaText::parse(text, &words).unwrap();
+        it.insert(&text, 3, 4).unwrap();
+    }
+    it
+}
+
+fn values_by(discount: f32) -> Vec<f32> {
+    let config = ValueConfig {
+        discount,
+        ..ValueConfig::BOOK
+    };
+    let mut it = walks();
+    it.defer_values(&config);
+    it.improve_values::<2>(2, &config);
+    it.settle_values::<2>(100, &config);
+    let mut said: Vec<f32> = (0..3).map(|item| it.deferred_value(ItemId(item))).collect();
+    said.extend((0..it.patterns()).map(|id| it.value(PatternId(id)).unwrap()));
+    let here = percept(&[1]);
+    said.extend(it.expected_values::<2>(&here, &config).map(|it| it.value));
+    for rule in [ChoiceRule::Lexicographic, ChoiceRule::ExpectedValue] {
+        said.extend(it.prefer::<2>(&here, rule, &config).map(|it| it.value));
+    }
+    said
+}
+
+/// Values by the other numbers of their configuration, which are compared.
+fn chains_by(number: f32) -> Vec<f32> {
+    let config = ValueConfig {
+        chain_reliability: number,
+        chain_relevance: number,
+        ..ValueConfig::BOOK
+    };
+    let mut it = walks();
+    it.defer_values(&config);
+    (0..3).map(|item| it.deferred_value(ItemId(item))).collect()
+}
+
+fn reliabilities_by(forgetting: f32) -> Vec<f32> {
+    let mut said = Vec::new();
+    let mut it = Reliability::from_counts(1, 3);
+    let mut table = walks();
+    let (here, there, nowhere) = (percept(&[0]), percept(&[1]), percept(&[]));
+    for trial in 0..50 {
+        let success = trial % 3 == 0;
+        it.record(success, forgetting);
+        let after = if success { &there } else { &nowhere };
+        table.record(&here, ActionId(0), after, forgetting);
+        for estimate in [Estimate::Plain, Estimate::Recent] {
+            let schemas = table.schemas().iter();
+            said.extend(schemas.map(|schema| schema.reliability.value(estimate)));
+            said.extend([it.value(estimate), table.mean_reliability(estimate)]);
+        }
+    }
+    said
+}
+
+fn beliefs_by(prior: f32) -> Vec<f32> {
+    let mut brain = Box::new(floats::brain());
+    floats::be_born(&mut brain, AgentConfig::FORAGER_LEVEL2, 3).unwrap();
+    Lamp::new(9).live(&mut brain, 700);
+    let config = Level2Config {
+        prior,
+        ..Level2Config::FORAGER
+    };
+    let (level, known) = (brain.second_level(), brain.knowledge());
+    let mut said = Vec::new();
+    // Two of these traces are none, and nothing was tried after them.
+    for trace in (0..14).map(SyntheticId) {
+        for schema in (0..known.schemas().len() as u16).map(SchemaId) {
+            said.push(level.belief(known, trace, schema, &ValueConfig::FORAGER, &config));
+        }
+    }
+    said
+}
+
+fn maps_by(result_weight: f32) -> Vec<f32> {
+    let (one, other) = (percept(&[0]), percept(&[1, 2, 3]));
+    let samples = [
+        Sample::new(&one, &other, ResultCoding::EndState, 4),
+        Sample::new(&other, &one, ResultCoding::Change, 4),
+    ];
+    let mut said = Vec::new();
+    for config in [TrainingConfig::BOOK, TrainingConfig::FORAGER] {
+        let config = TrainingConfig {
+            result_weight,
+            ..config
+        };
+        let mut bank = ActionSomBank::<2, 2, 4, 1>::new();
+        bank.randomize(&mut Rng::new(8));
+        for turn in 0..20 {
+            let _ = bank.train(ActionId(0), &samples[turn % 2], &config);
+            said.extend(bank.last_distances().as_slice());
+            let _ = bank.train_node(ActionId(0), &samples[0], &config);
+            said.extend(bank.last_distances().as_slice());
+        }
+        let map = &bank.maps()[0];
+        for node in map.nodes() {
+            said.extend((0..4).map(|item| map.result_weight(node, item)));
+        }
+    }
+    said
+}
+
+fn distances_by<M: Prototypes<2, 2>>(factor: f32) -> Vec<f32> {
+    let mut map = M::ZERO;
+    map.randomize(&mut Rng::new(1));
+    let mut distances = Grid::filled(0.0);
+    let few = SparseStimulus {
+        on: &[0b101],
+        minus: &[],
+        unknown: &[],
+    };
+    let any = SparseStimulus {
+        on: &[0b1],
+        minus: &[0b10],
+        unknown: &[0b100],
+    };
+    for stimulus in [few, any] {
+        let mut scratch = Grid::filled(0.0);
+        map.add_squared_distances(&stimulus, factor, &mut scratch, &mut distances);
+    }
+    distances.as_slice().to_vec()
+}
+
+/// A layer is made by what works, and there is none by what does not.
+fn layers_by(alpha: f32) -> Vec<f32> {
+    let width = Schedule::constant(1.0).unwrap();
+    let Ok(alpha) = Schedule::constant(alpha) else {
+        return Vec::new();
+    };
+    let Ok(config) = LayerConfig::try_new(0.5, alpha, width) else {
+        return Vec::new();
+    };
+    let mut layer = Layer::<2, 2, 1>::new();
+    layer.start(&config, &mut Rng::new(1));
+    for turn in 0..20 {
+        layer
+            .activate(&[if turn % 2 == 0 { 0.0 } else { 9.0 }])
+            .unwrap();
+        layer.train(turn);
+    }
+    layer.activation().as_slice().to_vec()
+}
+
+fn strains_by(number: f32) -> Vec<f32> {
+    let response = |total_activation| Response {
+        best_match: BestMatch {
+            node: NodeId(0),
+            squared_distance: 0.0,
+        },
+        total_activation,
+    };
+    let mut said = Vec::new();
+    for normal in [number, 0.5] {
+        let mut detector = TotalActivation::new();
+        detector.record(&response(normal));
+        said.extend(detector.minimum());
+        for total in [number, 0.0, 1e-30, 2.0] {
+            said.push(detector.strain(&response(total)));
+        }
+    }
+    said
+}
+
+#[test]
+fn whatever_number_is_handed_to_what_checks_none_all_that_is_read_is_finite() {
+    /// What it is, all that can be read afterwards, and at most what that is.
+    type Row = (&'static str, fn(f32) -> Vec<f32>, f32);
+    let rows: [Row; 9] = [
+        ("a discount", values_by, 1e20),
+        ("what a chain asks", chains_by, 1e9),
+        ("forgetting", reliabilities_by, 1.0),
+        ("a prior", beliefs_by, 1.0),
+        ("the weight of results", maps_by, f32::MAX),
+        ("a factor", distances_by::<BinarySom<2, 2, 4>>, f32::MAX),
+        (
+            "a factor for bytes",
+            distances_by::<ByteSom<2, 2, 4>>,
+            f32::MAX,
+        ),
+        ("a learning rate", layers_by, 1.0),
+        ("a total activation", strains_by, f32::MAX),
+    ];
+    let numbers = [
+        f32::NAN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        -1.0,
+        0.0,
+        0.5,
+        1e30,
+        f32::MAX,
+    ];
+    for (what, read, most) in rows {
+        for number in numbers {
+            let said = read(number);
+            let within = said.iter().all(|it| (-most..=most).contains(it));
+            assert!(within, "{what} of {number:e}: {said:?}");
+            // A change may be one downwards; nothing else is below 0.
+            let signed = what == "the weight of results";
+            assert!(
+                signed || said.iter().all(|it| *it >= 0.0),
+                "{what}: {said:?}"
+            );
+        }
+        assert!(!read(0.5).is_empty(), "{what}");
+    }
 }

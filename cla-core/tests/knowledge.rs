@@ -1,5 +1,7 @@
 //! Knowledge alone moves into another life, and into a robot that has grown.
 
+mod fixtures;
+
 use cla_core::forest::{Mind, MindConfig};
 use cla_core::num::Rng;
 use cla_core::reason::Reason;
@@ -288,12 +290,66 @@ fn damaged_knowledge_is_refused() {
 type Small = Mind<1, 4, 3, 24, 24, 32, 64, 256, Reason<1, 4, 3, 16, 32, 64>>;
 type Grown = Mind<2, 40, 4, 48, 32, 64, 64, 256, Reason<2, 40, 4, 24, 48, 64>>;
 
+/// A mind that wants to stand in the light.
+fn small(seed: u64) -> Box<Small> {
+    let mut mind = Box::new(Small::unborn());
+    let values = [0.0, 0.0, 0.0, 10.0];
+    mind.be_born(MindConfig::DEFAULT, values, seed).unwrap();
+    mind
+}
+
+/// The items that are known in each sample of what a mind of so many words and items knows, at most 64
+/// of them, as bits.
+fn known_in_samples(image: &[u8], words: usize, items: usize) -> Vec<u64> {
+    let number = |at: usize| usize::from(u16::from_le_bytes([image[at], image[at + 1]]));
+    // Header, number of the first section, and its bytes.
+    let (length, fields) = (number(82), 86);
+    // What each item tells, which of them matter, and whether any trees were grown.
+    let memory = fields + 4 * items + 4 * words + 1;
+    // How many samples, how many of them recent; of each what was on, what was off, what it brought,
+    // its action and its marks.
+    let (samples, size) = (number(memory), 8 * words + 4 + 2);
+    assert_eq!(fields + length, memory + 4 + samples * size);
+    let set = |bytes: &[u8]| {
+        let mut set = 0;
+        for (word, of) in bytes.chunks_exact(4).enumerate() {
+            let of = u32::from_le_bytes(of.try_into().unwrap());
+            set |= u64::from(of) << (32 * word);
+        }
+        set
+    };
+    let all = image[memory + 4..].chunks_exact(size).take(samples);
+    all.map(|it| set(&it[..4 * words]) | set(&it[4 * words..8 * words]))
+        .collect()
+}
+
+/// Written with 0.2.0, after 1500 actions; it is never written again.
+#[test]
+fn knowledge_of_a_mind_of_version_1_is_read_for_ever() {
+    let names = little::VOCABULARY.names();
+    let golden = fixtures::kept("lamp-mind-v1.knowledge", || {
+        let mut mind = small(3);
+        live!(mind, Lamp::new(9), 4, 1500);
+        knowledge(&*mind, names)
+    });
+    let mut mind = small(8);
+    let taken = take(&mut *mind, little::VOCABULARY, &golden);
+    assert_eq!(taken, Ok(golden.len() as u32));
+    assert_eq!(mind.size().0, 384);
+    assert!(!mind.reason().schemas().is_empty());
+    // Where the other life ended is kept no longer; the rest is taken as it was, and again.
+    let again = knowledge(&*mind, names);
+    assert_eq!(again.len(), golden.len());
+    let mut other = small(9);
+    take(&mut *other, little::VOCABULARY, &again).unwrap();
+    assert!(knowledge(&*other, names) == again);
+    mind.act().unwrap();
+    live!(mind, Lamp::new(4), 4, 300);
+}
+
 #[test]
 fn a_mind_takes_samples_and_schemas_along_and_its_trees_grow_anew() {
-    let mut values = [0.0; 4];
-    values[3] = 10.0;
-    let mut mind = Box::new(Small::unborn());
-    mind.be_born(MindConfig::DEFAULT, values, 3).unwrap();
+    let mut mind = small(3);
     live!(mind, Lamp::new(9), 4, 1500);
     let image = knowledge(&*mind, little::VOCABULARY.names());
     let mut values = [0.0; 40];
@@ -308,6 +364,10 @@ fn a_mind_takes_samples_and_schemas_along_and_its_trees_grow_anew() {
     assert_eq!(refused, Err(LoadError::Items));
     take(&mut *other, grown::VOCABULARY, &image).unwrap();
     assert_eq!(other.size().0, mind.size().0, "samples");
+    // Of the items that were added nobody knows what they were then.
+    let known = known_in_samples(&knowledge(&*other, grown::VOCABULARY.names()), 2, 40);
+    assert_eq!(known.len(), usize::from(mind.size().0));
+    assert!(known.iter().all(|&items| items == 0b1111), "{known:?}");
     assert_eq!(
         other.reason().schemas().len(),
         mind.reason().schemas().len()

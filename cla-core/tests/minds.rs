@@ -1,5 +1,7 @@
 //! A mind that is saved, loaded and gone on with lives the life that was never interrupted.
 
+mod fixtures;
+
 use cla_core::forest::{Mind, MindConfig};
 use cla_core::num::Rng;
 use cla_core::reason::{Pursuit, Reason, Reasoning};
@@ -202,5 +204,20 @@ fn the_image_of_a_reasoning_mind_of_version_1_is_read_for_ever() {
     assert!(image(&*mind) == golden);
     assert_eq!(mind.pursuit(), Pursuit::Underway { left: 200 });
     assert_eq!((mind.size().0, mind.reason().schemas().len()), (256, 31));
+    world.live(&mut mind, 500);
+}
+
+/// Written with 0.2.0, after 700 actions; it is never written again.
+#[test]
+fn the_image_of_a_mind_without_a_reason_of_version_1_is_read_for_ever() {
+    let golden = fixtures::kept("corridor-plain-v1.image", || {
+        let (mut mind, mut world) = born(3);
+        world.live(&mut mind, 700);
+        image(&*mind)
+    });
+    let (mut mind, mut world) = born(77);
+    assert_eq!(load(&mut *mind, &golden), Ok(golden.len() as u32));
+    assert!(image(&*mind) == golden);
+    assert_eq!((mind.size().0, mind.value(ItemId(5))), (256, 1.0));
     world.live(&mut mind, 500);
 }

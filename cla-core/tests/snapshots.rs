@@ -1,5 +1,6 @@
 //! A life that is saved, loaded and gone on with is the life that was never interrupted.
 
+mod fixtures;
 mod lamp;
 
 use cla_core::num::Rng;
@@ -367,6 +368,26 @@ fn the_image_of_version_1_is_read_for_ever() {
     assert_eq!(brain.knowledge().inherent_value(ItemId(3)), 10.0);
     let samples: u32 = brain.bank().maps().iter().map(|map| map.samples()).sum();
     assert_eq!((samples, brain.knowledge().schemas().len()), (719, 32));
+    Lamp::new(21).live(&mut brain, 500);
+}
+
+/// The same of maps of floats, written with 0.2.0; it is never written again.
+#[test]
+fn the_image_of_version_1_with_maps_of_floats_is_read_for_ever() {
+    let golden = fixtures::kept("lamp-floats-v1.image", || {
+        let mut brain = Box::new(floats::brain());
+        floats::be_born(&mut brain, AgentConfig::RESILIENT_LEVEL2, 3).unwrap();
+        Lamp::new(9).live(&mut brain, 700);
+        image(&*brain)
+    });
+    let mut brain = Box::new(floats::brain());
+    assert_eq!(load(&mut *brain, &golden), Ok(golden.len() as u32));
+    assert!(image(&*brain) == golden);
+    assert_eq!(brain.knowledge().inherent_value(ItemId(3)), 10.0);
+    let samples: u32 = brain.bank().maps().iter().map(|map| map.samples()).sum();
+    assert_eq!(samples, 719);
+    assert!(!brain.knowledge().schemas().is_empty());
+    assert!(!brain.second_level().beliefs().is_empty());
     Lamp::new(21).live(&mut brain, 500);
 }
 

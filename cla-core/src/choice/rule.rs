@@ -80,6 +80,8 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 {
     /// The best of `ACTIONS` actions in `state`, or `None` when no schema applies or, by expected
     /// value, when no action promises anything.
+    ///
+    /// A discount out of its range counts as the nearest in it, NaN as 0.
     pub fn prefer<const ACTIONS: usize>(
         &mut self,
         state: &ItemStates<WORDS>,

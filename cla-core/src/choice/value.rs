@@ -10,10 +10,17 @@ use core::fmt;
 
 use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::{Estimate, KnowledgeBase, Others, Schema};
-use crate::snapshot::{LARGEST, LARGEST_VALUE, stored};
+use crate::snapshot::{LARGEST, LARGEST_VALUE, clipped, stored};
 use crate::word::{ItemId, ItemSet, ItemStates, SignedItems};
 
+/// The largest number below 1: the largest discount.
+const MOST_DISCOUNT: f32 = 1.0 - f32::EPSILON / 2.0;
+
 /// How values spread from results to contexts.
+///
+/// Nothing of it is checked where it is handed to a [`KnowledgeBase`] itself: a discount out of its
+/// range counts there as the nearest in it, and one that is no number as 0; the other numbers are only
+/// compared, and no share reaches one that is no number.
 ///
 /// ```
 /// use cla_core::choice::ValueConfig;
@@ -225,6 +232,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     ///
     /// At most one pass an item, because a chain visits each item once; each pass compares schemas
     /// in pairs, so this is for harvest time and reports, not for every control step.
+    /// A discount out of its range counts as the nearest in it, NaN as 0.
     pub fn defer_values(&mut self, config: &ValueConfig) {
         self.deferred = [[0.0; 32]; WORDS];
         for _ in 0..WORDS * 32 {
@@ -235,6 +243,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     }
 
     fn defer_once(&mut self, config: &ValueConfig) -> bool {
+        let discount = clipped(config.discount, MOST_DISCOUNT);
         let mut changed = false;
         for index in 0..self.schemas.len() {
             let Some(schema) = self.schemas.get(index).copied() else {
@@ -246,7 +255,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
                 continue;
             };
             for item in result.positive().iter() {
-                let value = config.discount * self.deferred_value(item);
+                let value = discount * self.deferred_value(item);
                 let gains = |other: ItemId| value > self.deferred_value(other);
                 if context.positive().iter().any(gains) && self.leads_to(&schema, item, config) {
                     for other in context.positive().iter() {
@@ -310,8 +319,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     ///
     /// Each is one look at the tables: call it every control step with a small count, and values
     /// follow the reliabilities at a bounded cost.
+    /// A discount out of its range counts as the nearest in it, NaN as 0.
     pub fn improve_values<const ACTIONS: usize>(&mut self, count: u16, config: &ValueConfig) {
-        self.follow_discount(config.discount);
+        let discount = self.follow_discount(config);
         for _ in 0..count {
             if usize::from(self.next_value) >= self.patterns.len() {
                 self.next_value = 0;
@@ -330,26 +340,30 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             let best = if best < LARGEST { best } else { LARGEST };
             if let Some(pattern) = self.patterns.get_mut(index) {
                 pattern.value = best;
-                pattern.then = config.discount * best;
+                pattern.then = discount * best;
             }
             self.next_value += 1;
         }
     }
 
-    /// Brings what the patterns keep up to date after a change of the discount.
-    fn follow_discount(&mut self, discount: f32) {
+    /// Brings what the patterns keep up to date after a change of the discount; answers what counts as
+    /// the discount.
+    fn follow_discount(&mut self, config: &ValueConfig) -> f32 {
+        let discount = clipped(config.discount, MOST_DISCOUNT);
         if self.discount.to_bits() != discount.to_bits() {
             self.discount = discount;
             for pattern in &mut self.patterns {
                 pattern.then = discount * pattern.value;
             }
         }
+        discount
     }
 
     /// Repeats [`improve_values`](Self::improve_values) over all patterns `sweeps` times.
     ///
     /// For the host, or once after a harvest: with a discount of .95 a value is settled to 1 %
     /// after about 90 sweeps, the order of actions long before.
+    /// A discount out of its range counts as the nearest in it, NaN as 0.
     pub fn settle_values<const ACTIONS: usize>(&mut self, sweeps: u16, config: &ValueConfig) {
         for _ in 0..sweeps {
             self.improve_values::<ACTIONS>(self.patterns(), config);
@@ -360,12 +374,13 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     ///
     /// The reliabilities of the applicable schemas of one action weigh the values of their results;
     /// where overlapping contexts make them add up to more than 1 they are scaled down.
+    /// A discount out of its range counts as the nearest in it, NaN as 0.
     pub fn expected_values<const ACTIONS: usize>(
         &mut self,
         state: &ItemStates<WORDS>,
         config: &ValueConfig,
     ) -> [Appraisal; ACTIONS] {
-        self.follow_discount(config.discount);
+        let discount = self.follow_discount(config);
         let mut appraisals = [Appraisal::default(); ACTIONS];
         let mut bonuses = [0.0; ACTIONS];
         let mut others = Others::none();
@@ -380,7 +395,7 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
             let Some(result) = self.patterns.get(usize::from(schema.result.0)) else {
                 continue;
             };
-            debug_assert!(result.then == config.discount * result.value);
+            debug_assert!(result.then == discount * result.value);
             let p = schema.reliability.value(config.estimate);
             let value = self.with_inherent(result.then, &result.items);
             appraisal.value += p * value;

@@ -91,6 +91,9 @@ pub struct Resumed {
     pub image: u32,
     /// Newer generations that the brain did not take.
     pub refused: u8,
+    /// Those of them that are of another robot, program or version, and whole: the next saves would be
+    /// written over them.
+    pub foreign: u8,
 }
 
 impl<F: NorFlash, const SLOTS: usize> FlashStore<F, SLOTS> {
@@ -204,7 +207,7 @@ impl<F: NorFlash, const SLOTS: usize> FlashStore<F, SLOTS> {
     ) -> Result<Resumed, ResumeError> {
         let mut first = None;
         let mut below = u32::MAX;
-        let mut refused = 0;
+        let (mut refused, mut foreign) = (0, 0);
         for _ in 0..SLOTS {
             let Some((slot, record)) = self.newest_below(below) else {
                 break;
@@ -230,11 +233,13 @@ impl<F: NorFlash, const SLOTS: usize> FlashStore<F, SLOTS> {
                         slot: slot as u8,
                         image,
                         refused,
+                        foreign,
                     });
                 }
                 Err(error) => {
                     self.counts.refused = self.counts.refused.saturating_add(1);
                     refused += 1;
+                    foreign += u8::from(error.is_foreign());
                     first.get_or_insert(error);
                 }
             }

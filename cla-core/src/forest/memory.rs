@@ -273,7 +273,12 @@ impl<const WORDS: usize, const STRETCHES: usize> Memory<WORDS, STRETCHES> {
                 let seen = seen.filter(|_| !sample.ends());
                 let exactly = alone && old != 0.0 && sample.reward == old;
                 if seen.unwrap_or(exactly) {
-                    sample.reward = bounded(sample.reward + (value - old), MOST_EARNED);
+                    // Not by a difference where it can be met again: it has to be met to the bit.
+                    sample.reward = if sample.reward == old {
+                        value
+                    } else {
+                        bounded(sample.reward + (value - old), MOST_EARNED)
+                    };
                 }
                 ends = (ends.0.min(sample.reward), ends.1.max(sample.reward));
             }

@@ -130,4 +130,8 @@ fn what_ended_an_episode_is_told_by_its_reward() {
     assert_eq!(first(&memory), 10.0);
     memory.revalue(ItemId(0), (10.0, 2.0), true);
     assert_eq!(first(&memory), 2.0);
+    // Through values that are no differences of others.
+    memory.revalue(ItemId(0), (2.0, 0.1), true);
+    memory.revalue(ItemId(0), (0.1, 5.0), true);
+    assert_eq!(first(&memory), 5.0);
 }

@@ -454,6 +454,23 @@ fn what_is_worth_having_may_change_in_mid_life() {
 }
 
 #[test]
+fn who_looks_for_a_new_value_does_not_take_that_for_the_usual_wait() {
+    // Nothing is worth anything at first, and so nothing that is remembered brings anything later.
+    let mut mind = born(&[(0, -1.0)], 4);
+    corridor(&mut mind, 300);
+    mind.act().unwrap();
+    mind.revalue(ItemId(5), 10.0).unwrap();
+    let escapes = (0..10).filter(|_| {
+        let choice = mind.choose(&at(3)).unwrap();
+        mind.learn(&at(3)).unwrap();
+        choice.motive == Motive::Escape
+    });
+    assert!(escapes.count() >= 8);
+    assert!(corridor(&mut mind, 2_000) > 100);
+    assert!(mind.wait < 30.0, "{}", mind.wait);
+}
+
+#[test]
 fn a_value_that_cannot_be_changes_nothing() {
     let mut mind = Small::new();
     assert_eq!(mind.revalue(ItemId(0), 1.0), Err(MindError::Unborn));

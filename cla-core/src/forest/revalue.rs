@@ -26,7 +26,8 @@ impl<
     /// values and begin again, from what is remembered and from what comes.
     /// An action is taken to have led to the item when that was on in what was perceived next; where
     /// nothing was, as at the end of an episode, when it brought just what this item was worth, and no
-    /// other: of two that are worth the same such actions keep what they brought.
+    /// other: of two that are worth the same such actions keep what they brought, so that of several
+    /// values those go first that others are to have.
     /// Who is put elsewhere says so ([`interrupt`](Self::interrupt)), or tells what led there
     /// ([`observe`](Self::observe)).
     /// One pass over the samples and the habits: a call for a robot that stands still.
@@ -65,10 +66,10 @@ impl<
         self.voices = Voices::new();
         self.led = false;
         self.doubt.get_acquainted();
-        // How long the new values take to come is not known; that something came once is. Where nothing
-        // that is remembered would bring anything now, it sets out at once.
-        self.since = if ends.1 > 0.0 { 0 } else { u16::MAX };
-        (self.earned, self.wait, self.burst) = (self.earned.min(1), 0.0, 0);
+        // How long the new values take to come is not known. Where nothing that is remembered would bring
+        // anything now, it sets out at once.
+        (self.since, self.wait, self.earned) = (0, 0.0, self.earned.min(1));
+        self.burst = if ends.1 > 0.0 { 0 } else { self.config.burst };
         self.begin_health();
         Ok(())
     }

@@ -35,6 +35,8 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
     /// Corrects the reliability of every applicable schema of an action that was completed.
     ///
     /// A schema whose result hangs on an unknown item is not counted.
+    /// `forgetting`, in `[0, 1]`, is that of [`Reliability::record`](super::Reliability::record): a number
+    /// out of its range counts as the nearest in it, NaN as 0.
     pub fn record(
         &mut self,
         before: &ItemStates<WORDS>,

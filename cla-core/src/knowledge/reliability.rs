@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::snapshot::{stored, stored_codes};
+use crate::snapshot::{clipped, stored, stored_codes};
 
 /// Which of the two estimates decides.
 ///
@@ -61,7 +61,8 @@ impl Reliability {
 
     /// Adds a trial; the recent average moves by at least `forgetting` (in `[0, 1]`) of the way.
     ///
-    /// With `forgetting = 0` both estimates are the same.
+    /// With `forgetting = 0` both estimates are the same; a number out of its range counts as the
+    /// nearest in it, NaN as 0.
     /// At the end of the counters' range both are halved, so their share is kept.
     pub fn record(&mut self, success: bool, forgetting: f32) {
         if self.activations == u32::MAX {
@@ -71,6 +72,7 @@ impl Reliability {
         self.activations += 1;
         self.successes = self.successes.saturating_add(u32::from(success));
         let trials = self.activations as f32;
+        let forgetting = clipped(forgetting, 1.0);
         let step = if trials * forgetting > 1.01 {
             // The share is below, whatever the rounding: no division.
             forgetting

@@ -48,7 +48,8 @@ impl LayerConfig {
     /// neighbourhood in nodes, both by the number of samples that [`Layer::train`] is given.
     ///
     /// # Errors
-    /// [`ConfigError`] when `activation_width` is not above 10⁻⁶ or not finite.
+    /// [`ConfigError`] when `activation_width` is not above 10⁻⁶ or not finite, or `alpha` is above 1 at
+    /// one of its ends: a schedule is never below 0, and no map moves by such a rate.
     pub const fn try_new(
         activation_width: f32,
         alpha: Schedule,
@@ -57,6 +58,9 @@ impl LayerConfig {
         // Below, its square has no inverse.
         let width = Range::above(1e-6).check("LayerConfig::activation_width", activation_width);
         if let Err(error) = width {
+            return Err(error);
+        }
+        if let Err(error) = Range::SHARE.check("LayerConfig::alpha", alpha.most()) {
             return Err(error);
         }
         Ok(Self {
@@ -325,6 +329,22 @@ mod tests {
                 "{width}"
             );
         }
+    }
+
+    #[test]
+    fn a_rate_that_is_above_1_at_either_end_is_refused() {
+        let made = |from, to| {
+            let alpha = Schedule::linear(from, to, 9).unwrap();
+            LayerConfig::try_new(0.5, alpha, Schedule::ZERO)
+        };
+        for (from, to) in [(1.1, 0.1), (0.1, 1.1), (1e30, 1e30), (0.0, f32::MAX)] {
+            let refused = made(from, to).unwrap_err();
+            assert_eq!(
+                (refused.field, refused.value),
+                ("LayerConfig::alpha", from.max(to))
+            );
+        }
+        assert!(made(1.0, 0.0).is_ok() && made(0.0, 1.0).is_ok());
     }
 
     #[test]

@@ -274,7 +274,7 @@ impl<const ACTIONS: usize, const ITEMS: usize, const BELIEFS: usize>
     }
 
     /// Lets the beliefs about one action after a trace count for less: `share` in `[0, 1]`.
-    fn weaken(&mut self, trace: SyntheticId, action: ActionId, share: f32) {
+    pub(super) fn weaken(&mut self, trace: SyntheticId, action: ActionId, share: f32) {
         let range = self.range(trace);
         self.count_beliefs(range.len());
         let Self { rows, beliefs, .. } = self;

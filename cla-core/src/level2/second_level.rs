@@ -13,7 +13,7 @@ use crate::choice::{Appraisal, Preference, ValueConfig, Voice, most_worth, state
 use crate::knowledge::{
     KnowledgeBase, Others, PatternId, Reliability, Schema, SchemaId, SyntheticId,
 };
-use crate::snapshot::{LARGEST, MOST_CHANGE, bounded, stored};
+use crate::snapshot::{LARGEST, MOST_CHANGE, bounded, clipped, stored};
 use crate::word::{ActionId, Cost, ItemStates};
 
 /// Weights of a new prediction in the slow and the fast share of right ones.
@@ -324,7 +324,8 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         cost.items = cost.items.wrapping_add(felt);
     }
 
-    /// After a harvest: follows schemas that moved and drops the items of those that left.
+    /// After a harvest: follows schemas that moved and drops the items of those that left; an item of
+    /// another action is none of a schema's.
     pub(crate) fn follow<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
         &mut self,
         knowledge: &KnowledgeBase<WORDS, PATTERNS, SCHEMAS>,
@@ -333,7 +334,9 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
         for (place, schema) in knowledge.schemas.iter().enumerate().rev() {
             let item = schema.synthetic();
             let row = item.and_then(|item| self.table.rows.get_mut(usize::from(item.0)));
-            if let Some(row) = row {
+            if let Some(row) = row
+                && row.action == schema.action
+            {
                 row.schema = Some(SchemaId(place as u16));
             }
         }
@@ -546,6 +549,9 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
 
     /// How probable the success of `schema` is where `trace` has just succeeded and its context
     /// holds, in `[0, 1]`: the belief in its synthetic item.
+    ///
+    /// A `prior` out of its range counts as the nearest in it, NaN as one that is hardly above 0: level 1
+    /// speaks where nothing was tried, and nowhere else.
     #[must_use]
     pub fn belief<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>(
         &self,
@@ -566,7 +572,13 @@ impl<const ACTIONS: usize, const SYNTHETIC: usize, const BELIEFS: usize>
             .find(|belief| Some(belief.item) == schema.synthetic());
         let tried = self.tried(trace, schema.action);
         let on = on.map_or(0.0, |belief| belief.on);
-        (on + config.prior * reliability) / (tried + config.prior)
+        let prior = clipped(config.prior, LARGEST);
+        let prior = if prior > 0.0 {
+            prior
+        } else {
+            f32::MIN_POSITIVE
+        };
+        (on + prior * reliability) / (tried + prior)
     }
 
     /// How often the second level has seen anything follow the item's schema.

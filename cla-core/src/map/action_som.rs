@@ -32,7 +32,7 @@ pub struct TrainingConfig {
     pub sigma: Schedule,
     /// Neighbours whose h has a factor below this stay; in `[0, 1]`.
     pub cut: f32,
-    /// Weight of the result half in the distance (the context half has 1).
+    /// Weight of the result half in the distance (the context half has 1), in `[0, 1e20]`.
     pub result_weight: f32,
     /// Nodes for rare events; without it a rare event is averaged away.
     pub recruitment: Option<Recruitment>,
@@ -480,6 +480,10 @@ impl<
 
     /// Trains the map of the action that was just completed; an action without a map changes
     /// nothing and answers `None`.
+    ///
+    /// Nothing is checked here: a `result_weight` out of its range counts as the nearest in it, NaN as
+    /// 0; by a rate α beyond 1 nothing moves, with a `cut` beyond `[0, 1]` the winner alone does, and a
+    /// vigilance that is no number finds nothing new.
     pub fn train<const WORDS: usize>(
         &mut self,
         action: ActionId,

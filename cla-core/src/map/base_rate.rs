@@ -36,10 +36,12 @@ impl<const WORDS: usize> BaseRates<WORDS> {
         }
     }
 
-    /// Adds a moment at which exactly these items were on; the 2³²nd and later change nothing.
+    /// Adds a moment at which exactly these items were on.
+    ///
+    /// At the end of the counters' range all are halved, so their shares are kept.
     pub fn observe(&mut self, on: &ItemSet<WORDS>) {
         if self.moments == u32::MAX {
-            return;
+            self.halve();
         }
         self.moments += 1;
         for item in on.iter() {
@@ -47,6 +49,15 @@ impl<const WORDS: usize> BaseRates<WORDS> {
             if let Some(count) = counts.get_mut(usize::from(item.0)) {
                 *count += 1;
             }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn halve(&mut self) {
+        self.moments /= 2;
+        for count in self.on.as_flattened_mut() {
+            *count /= 2;
         }
     }
 
@@ -101,5 +112,21 @@ mod tests {
         let kept = context.with_negatives_among(&rates.at_least(0.1));
         assert!(kept.negative().contains(ItemId(1)) && !kept.negative().contains(ItemId(2)));
         assert!(kept.positive().contains(ItemId(3)));
+    }
+
+    #[test]
+    fn full_counters_keep_their_shares_and_count_on() {
+        let mut rates = BaseRates::<1>::new();
+        rates.moments = u32::MAX;
+        rates.on[0][0] = u32::MAX;
+        rates.on[0][1] = u32::MAX / 4;
+        for _ in 0..3 {
+            rates.observe(&ItemSet::first(1));
+        }
+        let half = u32::MAX / 2;
+        assert_eq!((rates.moments, rates.on[0][0]), (half + 3, half + 3));
+        assert_eq!(rates.on[0][1], half / 4);
+        assert_eq!(rates.at_least(0.24), ItemSet::first(2));
+        assert_eq!(rates.at_least(0.26), ItemSet::first(1));
     }
 }

@@ -197,6 +197,15 @@ impl Schedule {
         *self == Self::ZERO || made.is_ok()
     }
 
+    /// The largest value that it may have: the larger of its ends.
+    pub(crate) const fn most(&self) -> f32 {
+        if self.from < self.to {
+            self.to
+        } else {
+            self.from
+        }
+    }
+
     /// The value after `samples` samples; always between the two ends.
     #[must_use]
     pub fn at(&self, samples: u32) -> f32 {

@@ -39,6 +39,31 @@ const fn beyond(number: f32, most: f32) -> f32 {
     }
 }
 
+/// The nearest number from 0 to `most`; 0 for what is no number.
+///
+/// One comparison for what is within, as in [`bounded`].
+#[inline]
+pub(crate) const fn clipped(number: f32, most: f32) -> f32 {
+    if number.to_bits() <= most.to_bits() {
+        number
+    } else {
+        outside(number, most)
+    }
+}
+
+#[cold]
+#[inline(never)]
+const fn outside(number: f32, most: f32) -> f32 {
+    if number >= most {
+        most
+    } else if number >= 0.0 {
+        // −0, whose bits are above all.
+        number
+    } else {
+        0.0
+    }
+}
+
 /// How many there are of what links point at, in the order in which the tables are stored.
 ///
 /// ```
@@ -106,7 +131,7 @@ impl Limits {
 
 #[cfg(test)]
 mod tests {
-    use super::bounded;
+    use super::{bounded, clipped};
 
     #[test]
     fn what_is_beyond_becomes_the_bound_and_what_is_no_number_nothing() {
@@ -119,5 +144,19 @@ mod tests {
         }
         assert_eq!(bounded(f32::NAN, 3.0).to_bits(), 0);
         assert_eq!(bounded(-f32::NAN, 3.0).to_bits(), 0);
+    }
+
+    #[test]
+    fn what_is_below_nothing_becomes_nothing_and_what_is_within_keeps_its_bits() {
+        for it in [0.0, -0.0, f32::MIN_POSITIVE, 1e-45, 1.0, 2.5, 3.0] {
+            assert_eq!(clipped(it, 3.0).to_bits(), it.to_bits());
+        }
+        for it in [3.000_000_2, 1e30, f32::MAX, f32::INFINITY] {
+            assert_eq!(clipped(it, 3.0), 3.0);
+            assert_eq!(clipped(-it, 3.0).to_bits(), 0);
+        }
+        for it in [-1e-45, -1.0, f32::NAN, -f32::NAN] {
+            assert_eq!(clipped(it, 3.0).to_bits(), 0);
+        }
     }
 }

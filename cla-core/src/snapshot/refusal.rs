@@ -76,6 +76,24 @@ pub enum LoadError<E> {
     Changed,
 }
 
+impl<E> LoadError<E> {
+    /// Whether it is the image of another robot, program or version, and not one that is damaged or
+    /// could not be read.
+    #[must_use]
+    pub const fn is_foreign(&self) -> bool {
+        matches!(
+            self,
+            Self::Version { .. }
+                | Self::Numerics
+                | Self::Kind
+                | Self::Weights
+                | Self::Capacity { .. }
+                | Self::Items
+                | Self::Actions
+        )
+    }
+}
+
 impl<E: fmt::Display> fmt::Display for SaveError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

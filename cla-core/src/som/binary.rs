@@ -10,7 +10,7 @@
 use super::grid::{Grid, NodeId};
 use super::stimulus::SparseStimulus;
 use crate::num::{Neighbourhood, Rng};
-use crate::snapshot::stored;
+use crate::snapshot::{LARGEST, clipped, stored};
 
 /// A prototype's factor is folded into its weights when it falls below this: far above the point
 /// where dividing by it loses digits, and rare enough to cost little.
@@ -115,6 +115,8 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
 
     /// As [`squared_distances`](Self::squared_distances), but adds `factor` times the distance to
     /// what is there.
+    ///
+    /// `factor` lies in `[0, 1e20]`; another number counts as the nearest of these, NaN as 0.
     pub fn add_squared_distances(
         &self,
         stimulus: &SparseStimulus<'_>,
@@ -122,6 +124,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize>
         scratch: &mut Grid<f32, WIDTH, HEIGHT>,
         distances: &mut Grid<f32, WIDTH, HEIGHT>,
     ) {
+        let factor = clipped(factor, LARGEST);
         self.distances(stimulus, scratch, distances, |total, own| {
             *total += factor * own;
         });

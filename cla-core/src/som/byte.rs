@@ -10,7 +10,7 @@ use super::grid::{BestMatch, Grid, NodeId};
 use super::prototypes::Prototypes;
 use super::stimulus::SparseStimulus;
 use crate::num::{Neighbourhood, Ones, Rng};
-use crate::snapshot::{Flip, Mender, Reader, Stored, Writer};
+use crate::snapshot::{Flip, LARGEST, Mender, Reader, Stored, Writer, clipped};
 
 /// The integer that stands for a weight of 1.
 const ONE: i32 = 127;
@@ -150,7 +150,7 @@ impl<const WIDTH: usize, const HEIGHT: usize, const FEATURES: usize, N: Norms<WI
         scratch: &mut Grid<f32, WIDTH, HEIGHT>,
         distances: &mut Grid<f32, WIDTH, HEIGHT>,
     ) {
-        let unit = factor / (ONE * ONE) as f32;
+        let unit = clipped(factor, LARGEST) / (ONE * ONE) as f32;
         let mut totals = distances.as_mut_slice().iter_mut();
         self.each_sum(stimulus, scratch, |length, sums| {
             for (sum, total) in sums.iter().zip(totals.by_ref()) {

@@ -50,6 +50,8 @@ pub trait Prototypes<const WIDTH: usize, const HEIGHT: usize> {
 
     /// Adds `factor` · ‖x − m‖² (over the known features) of every node to `distances`;
     /// `scratch` is overwritten.
+    ///
+    /// `factor` lies in `[0, 1e20]`; another number counts as the nearest of these, NaN as 0.
     fn add_squared_distances(
         &self,
         stimulus: &SparseStimulus<'_>,

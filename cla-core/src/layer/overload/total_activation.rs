@@ -52,20 +52,33 @@ impl Default for TotalActivation {
     }
 }
 
+/// The total of a response: what is below 0 or no number counts as 0, infinity as the largest number.
+fn total_of(response: &Response) -> f32 {
+    let total = response.total_activation;
+    if total > 0.0 {
+        total.min(f32::MAX)
+    } else {
+        0.0
+    }
+}
+
 impl OverloadDetector for TotalActivation {
+    /// Totals lie in `[0, ∞)`; one below, and NaN, counts as 0, an infinite one as the largest number.
     fn record(&mut self, response: &Response) {
-        if !self.recorded || response.total_activation < self.minimum {
-            self.minimum = response.total_activation;
+        let total = total_of(response);
+        if !self.recorded || total < self.minimum {
+            self.minimum = total;
         }
         self.recorded = true;
     }
 
-    /// The minimum over the total; a total of 0 below a minimum above 0 is infinite strain.
+    /// The minimum over the total, which counts as in [`record`](Self::record); the strain of a silent
+    /// layer, where silence is not normal, is the largest number.
     fn strain(&mut self, response: &Response) -> f32 {
         if self.minimum <= 0.0 {
             0.0
         } else {
-            self.minimum / response.total_activation
+            (self.minimum / total_of(response)).min(f32::MAX)
         }
     }
 
@@ -101,6 +114,7 @@ mod tests {
         let mut detector = TotalActivation::new();
         detector.record(&response(0.5));
         assert!(detector.overloaded(&response(0.0)));
+        assert_eq!(detector.strain(&response(0.0)), f32::MAX);
         assert_eq!(detector.strain(&response(0.25)), 2.0);
     }
 
