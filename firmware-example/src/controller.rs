@@ -62,15 +62,23 @@ pub trait SafeStop {
     fn stop(&mut self);
 }
 
-/// Where a brain is kept when that is ordered.
+/// Where a brain is kept when that is ordered, and by a policy.
 pub trait Keep<Brain> {
-    /// Keeps it under the name of its life; the number of the generation, `None` where it could not be.
-    fn keep(&mut self, brain: &Brain, life: Life) -> Option<u32>;
+    /// Looks it through and keeps it under the name of its life; the number of the generation, `None`
+    /// where it could not be. Where something is lost of it, what was last kept of that life is brought
+    /// back into it.
+    fn keep(&mut self, brain: &mut Brain, life: Life) -> Option<u32>;
+
+    /// Something was learned: whether it was worth having, and whether an own action is over with it.
+    /// Answers whether the brain is to be kept now; without a policy that is never so.
+    fn is_due(&mut self, _captured: bool, _over: bool) -> bool {
+        false
+    }
 }
 
 /// A part that keeps nothing.
 impl<Brain> Keep<Brain> for () {
-    fn keep(&mut self, _: &Brain, _: Life) -> Option<u32> {
+    fn keep(&mut self, _: &mut Brain, _: Life) -> Option<u32> {
         None
     }
 }
@@ -98,7 +106,8 @@ pub enum End {
 }
 
 /// Serves until told to stop or until the other side is gone; then, at the beginning, and whenever
-/// no order was followed for too long, the robot is stopped.
+/// no order was followed for too long, the robot is stopped. So it is before the brain is kept: when that
+/// is ordered, and after a [`Order::Learn`] with which it is due.
 pub fn serve<
     const W: usize,
     const H: usize,
@@ -116,7 +125,12 @@ pub fn serve<
 ) -> End {
     let mut receiver = Receiver::new(service.seal);
     let mut desk = Desk::new(service.fresh, service.patience, service.life);
-    let mut robot = Whole { brain, body, kept };
+    let mut robot = Whole {
+        brain,
+        body,
+        kept,
+        life: service.life,
+    };
     let mut bytes = [0; FRAME];
     robot.body.stop();
     loop {
@@ -166,6 +180,8 @@ struct Whole<'a, Brain, Body, Kept> {
     brain: &'a mut Brain,
     body: &'a mut Body,
     kept: &'a mut Kept,
+    /// Who lives here, as the desk knows it.
+    life: Life,
 }
 
 impl<
@@ -189,7 +205,20 @@ impl<
     }
 
     fn follow(&mut self, order: Order) -> Answer {
-        follow(order, self.brain)
+        let mut reward = 0.0;
+        let answer = follow(order, self.brain, &mut reward);
+        match order {
+            Order::Begin { name, .. } if answer == Answer::Done => self.life = name,
+            Order::Learn { .. } | Order::Observe { .. } if answer == Answer::Done => {
+                // Between a choice and what it led to a save would cut the action off.
+                let over = matches!(order, Order::Learn { .. });
+                if self.kept.is_due(reward > 0.0, over) {
+                    self.save(self.life);
+                }
+            }
+            _ => {}
+        }
+        answer
     }
 
     fn known(&mut self) -> (u16, u64) {
@@ -203,6 +232,7 @@ impl<
     }
 }
 
+/// Does what an order says; `reward` becomes that of what was learned.
 fn follow<
     const W: usize,
     const H: usize,
@@ -214,6 +244,7 @@ fn follow<
 >(
     order: Order,
     brain: &mut Forager<W, H, P, S, Y, B, M>,
+    reward: &mut f32,
 ) -> Answer {
     const REFUSED: Answer = Answer::Refused(Refusal::Brain);
     let done = |outcome: Result<(), AgentError>| match outcome {
@@ -240,6 +271,7 @@ fn follow<
         },
         Order::Learn { now } => done(brain.learn(&from_bits(now)).map(|it| {
             log::learned(&it);
+            *reward = it.reward;
         })),
         Order::Observe {
             before,
@@ -250,7 +282,7 @@ fn follow<
             done(
                 brain
                     .observe(&from_bits(before), action, &from_bits(after))
-                    .map(drop),
+                    .map(|it| *reward = it.reward),
             )
         }
         // An unborn brain would take a configuration and stay unborn.

@@ -10,6 +10,7 @@ use semihosting::{eprintln, process};
 
 use crate::board::{FileFlash, Uptime};
 use crate::controller::{End, Heard, SafeStop, Service, Wire};
+use crate::keeper::Policy;
 use crate::link::{Life, Seal};
 
 /// Milliseconds that the robot may go on without an order: on a robot, as long as it may move blindly.
@@ -101,6 +102,12 @@ impl SafeStop for Motors {
 /// On a robot: the part's own, behind the program, or a chip beside it, as its HAL crate has it; any
 /// type that is a `NorFlash`.
 pub type Flash = FileFlash;
+
+/// How often the controller keeps its brain, beside on command: after 20 captures, and every ten minutes
+/// of actions that take 200 ms each.
+///
+/// On a robot: the time of its actions, and what a power cut may cost; the robot stands for each save.
+pub const POLICY: Policy = Policy::every(20, 10, 200);
 
 /// Opens the flash, with so many bytes; `None` when there is none.
 #[must_use]

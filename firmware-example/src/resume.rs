@@ -7,9 +7,11 @@
 use cla_core::agent::{AgentError, Reason};
 
 use crate::fingerprint::Fingerprint;
-use crate::profile::{Brain, VOCABULARY};
+use crate::profile::VOCABULARY;
+use crate::replay::Forager;
 use crate::trace;
 use cla_core::snapshot::Names;
+use cla_core::som::Prototypes;
 
 /// Own actions before the brain goes to the board, and before it comes back.
 pub const THERE: u32 = 3_000;
@@ -27,7 +29,7 @@ pub const SLOTS: usize = 3;
 /// See [`SLOTS`].
 pub const SLOT: u32 = if cfg!(feature = "small") { 96 } else { 256 } * 1024;
 
-/// What the items and actions of the brain are called, for its image.
+/// What the items and actions of the brain are called, for its image; the same in both profiles.
 #[must_use]
 pub fn names() -> Names {
     VOCABULARY.names()
@@ -38,7 +40,19 @@ pub fn names() -> Names {
 ///
 /// # Errors
 /// [`AgentError`] when the brain refuses.
-pub fn live(brain: &mut Brain, from: u32, to: u32) -> Result<Fingerprint, AgentError> {
+pub fn live<
+    const W: usize,
+    const H: usize,
+    const P: usize,
+    const S: usize,
+    const Y: usize,
+    const B: usize,
+    M: Prototypes<W, H>,
+>(
+    brain: &mut Forager<W, H, P, S, Y, B, M>,
+    from: u32,
+    to: u32,
+) -> Result<Fingerprint, AgentError> {
     let mut print = Fingerprint::new();
     let mut begun = 0;
     for step in trace::steps(to) {

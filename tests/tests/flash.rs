@@ -1,7 +1,11 @@
 //! A brain in flash survives power cuts at every operation, rot and wear: what a save has answered for
 //! is there, and nothing else is taken for it.
 //!
-//! `CLA_CUTS` says how many moments of a power cut are tried at least (`tests/run cuts`).
+//! `CLA_CUTS` says how many moments of a power cut are tried at least (`tests/run cuts`), and
+//! `CLA_CUTS_AGAIN` after one of how many of them the power goes again at every operation of the
+//! recovery: 1 is after each.
+
+use std::num::NonZeroU64;
 
 use cla_core::flash::{FlashStore, FlashTiming, LayoutError};
 use host_sim::device::flash::cuts::{Cuts, History, on_every_shape, pages_of_slot};
@@ -34,6 +38,10 @@ fn on_all_shapes<B: Toy>(ages: &[Age<B>], history: History) -> Cuts {
 fn no_committed_generation_is_lost_wherever_the_power_is_cut() {
     let least = std::env::var("CLA_CUTS").ok();
     let least: u64 = least.map_or(20_000, |it| it.parse().expect("CLA_CUTS is a number"));
+    let again = std::env::var("CLA_CUTS_AGAIN").ok();
+    let again: Option<NonZeroU64> =
+        again.map(|it| it.parse().expect("CLA_CUTS_AGAIN is a number above 0"));
+    let again_after = again.map_or(7, NonZeroU64::get);
     let (agents, minds) = (some::<Brain>(), some::<SmallMind>());
     let mut cuts = Cuts::default();
     let mut seed = 0;
@@ -42,7 +50,7 @@ fn no_committed_generation_is_lost_wherever_the_power_is_cut() {
             saves: if least > 20_000 { 12 } else { 3 },
             seed,
             corrects_errors: seed % 2 == 1,
-            again_after: 7,
+            again_after,
         };
         cuts.add(&on_all_shapes(&agents, history));
         cuts.add(&on_all_shapes(&minds, history));

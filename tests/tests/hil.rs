@@ -15,6 +15,7 @@ use host_sim::device::target::Target;
 use host_sim::experiment::hil::distant::Distant;
 use host_sim::experiment::hil::{Hil, HilOptions, trial};
 use host_sim::experiment::record::judged_again;
+use tempfile::tempdir;
 
 fn controller() -> PathBuf {
     let build = Build::new(Target::M4f, "controller");
@@ -242,6 +243,39 @@ fn a_brain_that_is_saved_by_an_order_lives_on_after_a_reset() {
     let (_, words) = brain.vanish();
     assert!(words.contains("resumed generation 2 of life 9"), "{words}");
     fs::remove_dir_all(&folder).expect("it was made above");
+}
+
+#[test]
+fn a_brain_is_kept_by_its_policy_after_an_action_and_the_session_goes_on() {
+    let build = Build {
+        features: "flash small",
+        ..Build::new(Target::M4f, "controller")
+    };
+    let program = build.build().unwrap_or_else(|error| panic!("{error}"));
+    let folder = tempdir().expect("a folder");
+    let brain = Distant::connect(Target::M4f, &program, folder.path(), Seal::Checksum);
+    let mut brain = brain.expect("it starts");
+    let mut ask = |order| brain.ask(order).expect("it lives");
+    let (ends, name) = (Life::UNBORN, Life(9));
+    let seed = 5;
+    assert_eq!(ask(Order::Begin { seed, ends, name }), Answer::Done);
+    // Twenty captures by a reflex (`hal::POLICY`), and the end of an action.
+    let grip = Order::Observe {
+        before: 0,
+        action: 5,
+        after: 1 << 5,
+    };
+    for _ in 0..20 {
+        assert_eq!(ask(grip), Answer::Done);
+    }
+    for _ in 0..2 {
+        let chosen = ask(Order::Choose { now: 0 });
+        assert!(matches!(chosen, Answer::Chosen { .. }), "{chosen:?}");
+        assert_eq!(ask(Order::Learn { now: 0 }), Answer::Done);
+    }
+    assert_eq!(ask(Order::Save), Answer::Saved(2));
+    let (_, words) = brain.vanish();
+    assert!(words.contains("kept generation 1 of life 9"), "{words}");
 }
 
 #[test]

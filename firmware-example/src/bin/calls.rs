@@ -4,7 +4,7 @@
 //! percepts are chance, so that every table fills, and whose reward stays away at last, so that they doubt.
 //!
 //! `cargo run --release --bin calls` in this folder; a line for each robot: its bytes, and of `choose` and
-//! `learn` the mean, the 99th percentile (to within 256) and the worst.
+//! `learn` the mean, the 99th percentile (to within 256) and the worst; and how full the fullest table was.
 
 use cla_core::forest::{Capacities, Mind, MindConfig, MindError};
 use cla_core::num::Rng;
@@ -144,7 +144,12 @@ fn live<
     };
     mind.be_born(config, values, 1)?;
     let mut rng = Rng::new(2);
+    // A model that begins anew, because other items matter now, is not full for a while.
+    let mut fullest = 0.0_f32;
     for action in 0..ACTIONS {
+        if action % 64 == 0 {
+            fullest = fullest.max(mind.health().fullest);
+        }
         if action == TRAINING {
             mind.act()?;
         }
@@ -173,7 +178,7 @@ fn live<
         learning.most(),
         learning.worst,
         health.alarms,
-        (100.0 * health.fullest) as u32
+        (100.0 * fullest) as u32
     );
     Ok(())
 }

@@ -4,8 +4,8 @@
 //!
 //! Wire, motors and end are those of `hal.rs`; in the emulator the body is a simulated robot
 //! (`host-sim hil`).
-//! With the feature `flash` it keeps its brain when that is ordered, and at boot the life that it finds
-//! in its flash goes on.
+//! With the feature `flash` it keeps its brain when that is ordered, by the policy of `hal.rs` and when
+//! the supply fails, and at boot the life that it finds in its flash goes on.
 //! Exit code 0 when told to stop, 3 when the other side is gone.
 
 use firmware_example::controller::{Service, serve};
@@ -16,7 +16,10 @@ use firmware_example::profile::{self, Brain};
 #[cfg(feature = "flash")]
 mod kept {
     use cla_core::flash::{FlashStore, ResumeError};
-    use firmware_example::hal::{self, Flash};
+    use embedded_storage::nor_flash::NorFlashErrorKind;
+    use firmware_example::controller::Keep;
+    use firmware_example::hal;
+    use firmware_example::keeper::{ByPolicy, Event};
     use firmware_example::link::Life;
     use firmware_example::resume::{SLOT, SLOTS};
     use firmware_example::shelf::Shelf;
@@ -24,13 +27,27 @@ mod kept {
 
     use super::{Brain, Service};
 
+    /// Says what becomes of the brain.
+    fn say(event: Event<NorFlashErrorKind>) {
+        match event {
+            Event::Saved(it) => eprintln!("kept generation {} of life {}", it.generation, it.tick),
+            Event::Mended(many) => eprintln!("{many} entries were mended or dropped"),
+            Event::Refused(why) => eprintln!("not kept: {why}"),
+            Event::Lost(part) => eprintln!("{part} is lost"),
+            Event::Resumed(it) => eprintln!("brought generation {} back", it.generation),
+            Event::Gone(why) => eprintln!("nothing was brought back: {why}"),
+            // Of a life along the recording.
+            Event::Born(_) | Event::Saving(..) => {}
+        }
+    }
+
     /// Opens the flash and resumes the life that lies there, and says so; `None` when there is no flash.
     pub(super) fn bring_back(
         brain: &mut Brain,
         service: Service,
-    ) -> Option<(Shelf<Flash, SLOTS>, Service)> {
+    ) -> Option<(impl Keep<Brain> + use<>, Service)> {
         let flash = hal::flash(SLOTS * SLOT as usize)?;
-        let mut shelf = Shelf::new(FlashStore::open(flash, 0, SLOT).ok()?);
+        let mut shelf = Shelf::<_, SLOTS>::new(FlashStore::open(flash, 0, SLOT).ok()?);
         let life = match shelf.resume(brain) {
             Ok(it) => {
                 eprintln!("resumed generation {} of life {}", it.generation, it.tick);
@@ -45,7 +62,8 @@ mod kept {
                 Life::UNBORN
             }
         };
-        Some((shelf, Service { life, ..service }))
+        let kept = ByPolicy::new(shelf, hal::POLICY, hal::power_is_failing, say);
+        Some((kept, Service { life, ..service }))
     }
 }
 

@@ -2,7 +2,7 @@
 #![no_main]
 //! Takes over a life from the host: loads the image `to-board.brain`, lives on along the recording and
 //! writes `from-board.brain`; says what loading and saving took, what keeping the brain in flash takes
-//! beside the flash's own time, and what it takes to find a bit that turned.
+//! beside the flash's own time, what it takes to find a bit that turned, and to look the brain through.
 //!
 //! The test `snapshots` in `../../tests` makes the first file and compares the second.
 
@@ -88,6 +88,28 @@ fn scrub(brain: &mut profile::Brain, counter: &mut board::Counter) -> Result<(),
     }
 }
 
+/// Instructions and stack of looking a whole brain through, and the most that one part of it takes.
+fn audit(brain: &mut profile::Brain, counter: &mut board::Counter) -> Result<(), &'static str> {
+    board::paint_stack();
+    counter.lap();
+    let mut found = brain.audit();
+    let instructions = counter.lap();
+    println!("audit whole instructions {instructions}");
+    println!("audit whole stack {}", board::stack_used());
+    println!("audit parts {}", profile::Brain::AUDIT_PARTS);
+    let mut worst = 0;
+    for part in 0..profile::Brain::AUDIT_PARTS {
+        counter.lap();
+        found = found.and(brain.audit_part(part));
+        worst = worst.max(counter.lap());
+    }
+    println!("audit part instructions {worst}");
+    match found {
+        Audit::Sound => Ok(()),
+        _ => Err("a sound brain is mended"),
+    }
+}
+
 /// Goes from host to board and back.
 fn take_over() -> Result<(), &'static str> {
     let (brain, image) = (&raw mut BRAIN, &raw mut IMAGE);
@@ -134,6 +156,7 @@ fn take_over() -> Result<(), &'static str> {
     println!("save stack {}", board::stack_used());
     keep(brain, &mut counter)?;
     scrub(brain, &mut counter)?;
+    audit(brain, &mut counter)?;
     let image = image.get(..saved as usize).unwrap_or_default();
     let mut file = fs::File::create(c"from-board.brain").map_err(|_| "there is no room")?;
     file.write_all(image)

@@ -45,7 +45,10 @@ fn survive() -> Result<(), &'static str> {
                 "saved generation {} tick {} slot {} bytes {} erased {} written {}",
                 it.generation, it.tick, it.slot, it.image, it.cost.erased, it.cost.written
             ),
+            Event::Mended(many) => println!("mended {many} entries"),
             Event::Refused(why) => println!("refused: {why}"),
+            Event::Lost(part) => println!("lost {part}: the last life is brought back"),
+            Event::Gone(why) => println!("nothing can be brought back: {why}"),
         },
     );
     lived.map_err(|end| match end {

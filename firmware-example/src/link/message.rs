@@ -198,7 +198,8 @@ pub enum Refusal {
     /// Another life would end than the one that was named, or the new name is none.
     OtherLife,
     /// The brain could not be kept: there is no flash, it refuses, what lies in it is of another
-    /// program, or nobody is born.
+    /// program, or nobody is born. Where something of it was lost in memory, it is now as it was last
+    /// kept.
     NotSaved,
 }
 

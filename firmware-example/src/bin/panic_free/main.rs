@@ -82,10 +82,10 @@ entries! {
         // What a robot needs that only acts, and what one needs that learns.
         "acting" = ["choose", "knowledge_record", "improve_values"],
         "training" = ["be_born", "reconfigure", "choose", "learn", "observe", "act"],
-        // The same with its life in flash.
+        // The same with its life in flash, looked through before each save.
         "keeping" = [
             "be_born", "reconfigure", "choose", "learn", "observe", "act", "flash_open", "flash_save",
-            "flash_resume",
+            "flash_resume", "audited",
         ],
     }
     "control" (slice: &[u8], index: usize) -> u8 { slice[index] }
@@ -260,6 +260,7 @@ entries! {
         let _ = write!(to, "{a} {b} {c}");
     }
     "audit" (brain: &mut Agent6, to: &mut Nowhere) { let _ = write!(to, "{}", brain.audit()); }
+    "audited" (brain: &mut Agent6) -> Audit { brain.audit() }
     "audit_part" (brain: &mut Agent6, mind: &mut Forest, part: usize) -> Audit { kept::audit_in_parts(brain, mind, part) }
     "scrub" (brain: &mut Agent6, it: &mut Scrub<256>) -> bool { kept::sealed(brain, it).is_ok() }
     "save_knowledge" (brain: &Agent6, mind: &Forest, to: &mut SliceSink<'_>) -> bool { kept::known(brain, mind, to).is_ok() }
