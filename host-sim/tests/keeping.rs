@@ -158,6 +158,27 @@ fn a_mind_is_trained_kept_gone_on_with_and_looked_into() {
 }
 
 #[test]
+fn the_brains_of_a_run_are_kept_in_files_that_can_be_looked_into() {
+    let folder = tempdir().expect("a folder");
+    let forage = "forage --seeds 3 --actions 1000 --test-actions 100 --out here";
+    said(&folder, &format!("{forage} --save-brains brains"));
+    for name in ["forage-3-level1", "forage-3-both"] {
+        let seen = said(&folder, &format!("inspect brains/{name}.brain --most 5"));
+        for word in ["agent of the forager", "ingrip", "10.00"] {
+            assert!(seen.contains(word), "{name}, {word}: {seen}");
+        }
+    }
+    let kept = fs::read_dir(folder.path().join("brains")).unwrap();
+    assert_eq!(kept.count(), 2);
+    // Who has none to keep says so, and who has.
+    let output = run(&folder, "live --save-brains others");
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let sentence = String::from_utf8(output.stderr).unwrap();
+    assert!(sentence.contains("forage, recover, one have"), "{sentence}");
+    assert!(!folder.path().join("others").exists());
+}
+
+#[test]
 fn the_brains_of_readme_are_trained_looked_into_and_compared_as_it_says() {
     let folder = tempdir().expect("a folder");
     let readme = include_str!("../../README.md");

@@ -178,20 +178,43 @@ def test_a_wrapper_that_changes_nothing_leaves_the_life_of_the_bare_world(values
     assert worth[0] == worth[1] > 0.05
 
 
-def test_what_a_wrapper_has_changed_is_all_that_is_learned_from():
+class Inverted(gymnasium.ObservationWrapper):
+    def observation(self, observation):
+        return 1 - observation
+
+
+class Hidden(gymnasium.ObservationWrapper):
+    """What is worth having cannot be seen."""
+
+    def observation(self, observation):
+        seen = observation.copy()
+        seen[-1] = 0
+        return seen
+
+
+class Driven(gymnasium.ActionWrapper):
+    """Fewer actions, in another order."""
+
+    def __init__(self, env):
+        super().__init__(env)
+        self.action_space = gymnasium.spaces.Discrete(4)
+
+    def action(self, action):
+        return 3 - action
+
+
+@pytest.mark.parametrize("wrapper", [Inverted, Hidden, Driven])
+def test_what_a_wrapper_shows_is_all_that_is_learned_from(wrapper):
     shown, learned = [], []
-
-    class Inverted(gymnasium.ObservationWrapper):
-        def observation(self, observation):
-            shown.append(1 - observation)
-            return shown[-1]
-
-    env = Inverted(gymnasium.make("cla/Pioneer-v0"))
-    agent = cla.Agent.for_env(env, {"ingrip": 10.0}, seed=1)
-    learn = agent.learn
+    env = wrapper(gymnasium.make("cla/Pioneer-v0"))
+    items = env.unwrapped.items
+    agent = cla.Agent(items, list("abcdef")[: env.action_space.n], {items[-1]: 10.0}, seed=1)
+    step, learn = env.step, agent.learn
+    env.step = lambda action: shown.append(step(action)) or shown[-1]
     agent.learn = lambda seen, reward=0.0: learned.append(seen) or learn(seen, reward)
+    agent.learn_from = agent._learn_from = None
     agent.live(env, 300)
-    assert len(learned) == 300 and np.array_equal(learned, shown[1:])
+    assert np.array_equal(learned, [it[0] for it in shown]) and len(learned) == 300
 
 
 def test_the_end_of_time_that_a_wrapper_sets_ends_an_episode():

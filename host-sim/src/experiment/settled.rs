@@ -26,7 +26,12 @@ pub(super) fn file(seeds: &[u64], mut all: Value) -> Result<String, Impossible> 
 /// [`Impossible`] for what has no form in JSON.
 pub(super) fn room(world: &WorldOptions) -> Result<Value, Impossible> {
     let mut all = tree_of(&world.config)?;
-    all["name"] = "pioneer".into();
+    // Who asks for the other one when the file is read again gets all of that.
+    let it = &world.config;
+    let is_quiet = [it.drop_out, it.step_noise, it.turn_noise]
+        .iter()
+        .all(|it| *it == 0.0);
+    all["name"] = if is_quiet { "noise-free" } else { "pioneer" }.into();
     if let Some(path) = &world.path {
         all["layout"] = json!(path.display().to_string());
     }

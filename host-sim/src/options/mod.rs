@@ -35,6 +35,7 @@ use crate::failure::{Failure, Impossible};
 use crate::progress::Progress;
 use crate::report::{Begin, Journal, Place, Results};
 
+pub use settled::foraging;
 pub use shared::{seeds, world};
 pub use training::{sizing, teaching, training};
 

@@ -140,7 +140,20 @@ pub(super) fn forage(
     length: LengthArgs,
     args: &SettingArgs,
 ) -> Result<ForageOptions, Impossible> {
-    let mut given = given(args, &[("world", world_name(place)?)])?;
+    let given = given(args, &[("world", world_name(place)?)])?;
+    foraging(given, asked, place, length)
+}
+
+/// The foraging that settings say, such as those of a file, with what is asked for beside them.
+///
+/// # Errors
+/// [`Impossible`] for the first thing that cannot be.
+pub fn foraging(
+    mut given: Value,
+    asked: &SeedArgs,
+    place: &WorldArgs,
+    length: LengthArgs,
+) -> Result<ForageOptions, Impossible> {
     let seeds = seeds_of(asked, &mut given)?;
     let world = room(&mut given, place)?;
     let lengths = laid(&Lengths::BOOK, &json!({}), &mut given, "protocol")?;

@@ -1,9 +1,9 @@
-//! Any bytes as an image, and images that lie under right checksums.
+//! Any bytes as an image of a life or of knowledge alone, and images that lie under right checksums.
 
 use cla_core::agent::{Agent, AgentConfig, Audit};
 use cla_core::forest::{Mind, MindConfig};
 use cla_core::reason::Reasoning;
-use cla_core::snapshot::{self, Names, Snapshot};
+use cla_core::snapshot::{self, Knowing, Names, Snapshot};
 use cla_core::som::Prototypes;
 use cla_core::word::ItemStates;
 
@@ -12,6 +12,10 @@ use super::robots::{Mite, Muse, bytes, floats};
 
 /// Bytes of the header, and of a section's number and length.
 const HEADER: usize = 80;
+/// The bit of the first byte of an input that says: an image of knowledge alone.
+///
+/// The three lowest say what is written, the next one which robot takes it.
+const ALONE: u8 = 64;
 
 /// The image of a brain.
 fn image<B: Snapshot>(brain: &B) -> Vec<u8> {
@@ -72,6 +76,33 @@ fn written(good: &[u8], input: &[u8]) -> Vec<u8> {
     image
 }
 
+/// Whether an input is one of knowledge alone.
+fn is_alone(input: &[u8]) -> bool {
+    input.first().is_some_and(|kind| kind & ALONE != 0)
+}
+
+/// The input as what a brain knows, or with the bytes that it says in that: a newborn one of the same
+/// shape takes it, or stays as it was.
+fn known<B: Knowing + Clone>(
+    brain: &B,
+    newborn: &mut B,
+    input: &[u8],
+    audit: impl Fn(&mut B) -> Audit,
+    live: impl Fn(&mut B),
+) {
+    let mut good = Vec::new();
+    snapshot::save_knowledge(brain, Names::UNKNOWN, &mut Growing(&mut good)).expect("it was born");
+    let before = image(newborn);
+    let other = written(&good, input);
+    match snapshot::load_knowledge(newborn, &[], &[], &mut &*other) {
+        Ok(_) => harmless(newborn, audit, live),
+        Err(refused) => {
+            assert!(other != good, "what it knows is refused: {refused}");
+            assert!(image(newborn) == before, "it is not as it was");
+        }
+    }
+}
+
 /// Makes the checksums right: of sections as far as lengths can be followed, and of the whole.
 fn seal(image: &mut [u8]) {
     let of_sections = crc::Crc::<u32>::new(&crc::CRC_32_ISCSI);
@@ -122,7 +153,12 @@ fn agent_of<
     brain
         .be_born(config, &[(cla_core::word::ItemId(2), 10.0)], 3)
         .expect("it can work");
+    let mut newborn = brain.clone();
     live(&mut brain);
+    if is_alone(input) {
+        known(&brain, &mut newborn, input, Agent::audit, live);
+        return;
+    }
     let good = image(&brain);
     let other = written(&good, input);
     match snapshot::load(&mut brain, Names::UNKNOWN, &mut &*other) {
@@ -153,7 +189,12 @@ fn mind_of<R: Reasoning<1, 3, 2> + snapshot::Stored + Clone>(
     };
     mind.be_born(MindConfig::DEFAULT, [0.0, -1.0, 5.0], 3)
         .expect("it can work");
+    let mut newborn = mind.clone();
     live(&mut mind);
+    if is_alone(input) {
+        known(&mind, &mut newborn, input, Mind::audit, live);
+        return;
+    }
     let good = image(&mind);
     let other = written(&good, input);
     match snapshot::load(&mut mind, Names::UNKNOWN, &mut &*other) {

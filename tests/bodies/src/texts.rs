@@ -4,10 +4,12 @@
 use cla_core::forager::pioneer::VOCABULARY;
 use cla_core::word::{Detail, SchemaText};
 use clap::Parser;
-use host_sim::cli::Cli;
+use host_sim::cli::{Cli, Command};
 use host_sim::device::budget::Budget;
-use host_sim::options::Order;
+use host_sim::experiment::live::LiveOptions;
+use host_sim::options::{Order, foraging};
 use host_sim::report::Rule;
+use host_sim::settings;
 use host_sim::world::config::PioneerConfig;
 use host_sim::world::damage::Damage;
 use host_sim::world::layout::Layout;
@@ -49,9 +51,11 @@ pub(super) fn damages(bytes: &[u8]) {
     }
 }
 
-/// A command line, and limits as `--budget` takes them; nothing is run.
+/// A file with settings as `--config` takes it, a command line, and limits as `--budget` takes them;
+/// nothing is run.
 pub(super) fn configs(bytes: &[u8]) {
     let text = text(bytes);
+    settings_of_a_file(&text);
     // No file of this machine is read.
     let words = text.split_whitespace().filter(|it| !it.contains('/'));
     let words: Vec<String> = words.map(str::to_owned).collect();
@@ -63,6 +67,49 @@ pub(super) fn configs(bytes: &[u8]) {
         return;
     };
     if let Err(refused) = Order::new(&cli) {
+        sentence(&refused);
+    }
+}
+
+/// Settings of `live` and of `forage`; those of a life are written, and read again as the same.
+fn settings_of_a_file(text: &str) {
+    let tree = match settings::parse(text) {
+        Ok(tree) => tree,
+        Err(refused) => {
+            sentence(&refused);
+            return;
+        }
+    };
+    // No file of this machine is read.
+    let world = &tree["world"];
+    let is_file = |name: &str| name.contains('.');
+    let is_layout = |path: &str| path != "none";
+    if world["name"].as_str().is_some_and(is_file)
+        || world["layout"].as_str().is_some_and(is_layout)
+    {
+        return;
+    }
+    match LiveOptions::new(vec![1], tree.clone()) {
+        Ok(options) => {
+            let taken = options.settings();
+            let written = settings::text(&taken).expect("what is taken can be written");
+            let again = settings::parse(&written).and_then(|it| LiveOptions::new(vec![1], it));
+            let again = again.map(|it| it.settings());
+            assert_eq!(again.as_ref(), Ok(&taken), "{written}");
+        }
+        Err(refused) => sentence(&refused),
+    }
+    let forage = Cli::try_parse_from(["host-sim", "forage"]).map(|cli| cli.command);
+    let Ok(Some(Command::Forage {
+        seeds,
+        world,
+        length,
+        ..
+    })) = forage
+    else {
+        panic!("forage has a default for everything");
+    };
+    if let Err(refused) = foraging(tree, &seeds, &world, length) {
         sentence(&refused);
     }
 }

@@ -9,7 +9,12 @@ from typing import Any, Iterable, Mapping, NamedTuple, Sequence
 
 import gymnasium
 import numpy as np
-from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker
+from gymnasium.wrappers import (
+    OrderEnforcing,
+    PassiveEnvChecker,
+    RecordEpisodeStatistics,
+    TimeLimit,
+)
 
 from cla import _checked
 from cla._native import Agent as _Native
@@ -17,6 +22,8 @@ from cla._native import Agent as _Native
 __all__ = ["Agent", "Choice", "Life"]
 
 # The version is raised whenever what is pickled beside the image changes.
+# Wrappers whose steps are those of what lies in them, to the observation and the action.
+_COUNTING = (OrderEnforcing, PassiveEnvChecker, RecordEpisodeStatistics, TimeLimit)
 _HEAD = b"CLAPY\x02\x00\x00"
 _FRESH = 0xCBF2_9CE4_8422_2325
 
@@ -29,13 +36,15 @@ def _bare(env: Any) -> Any:
     return env if is_ours is not None and is_ours() else None
 
 
-def _behind(env: Any, observation: Any, info: Mapping[str, Any]) -> Any:
-    """The percept of a world of the project whose observation came through unchanged; else ``None``."""
-    percept = getattr(env.unwrapped, "percept", None)
-    if percept is None or "cla" not in info:
-        return None
-    felt = percept()
-    return felt if np.array_equal(observation, np.maximum(felt, 0)) else None
+def _behind(env: Any) -> Any:
+    """The world of the project around which wrappers at most count and end; else ``None``."""
+    while isinstance(env, gymnasium.Wrapper):
+        passes = type(env).step is gymnasium.Wrapper.step
+        if not passes and type(env) not in _COUNTING:
+            return None
+        env = env.env
+    is_ours = getattr(env, "_is_ours", None)
+    return env if is_ours is not None and is_ours() else None
 
 
 class Choice(NamedTuple):
@@ -221,8 +230,8 @@ class Agent:
         the environment stands where it ended.  Where a wrapper lies around it that may change what
         comes through, and in any other environment with as many binary items and discrete actions, a
         life begins with a reset and goes step by step through ``env.step``: what that returns is all
-        that the agent learns from.  An observation that a wrapper has left as the world gave it stands
-        for the percept behind it, reflexes included, as in :meth:`learn_from`.
+        that the agent learns from.  Through wrappers that only count and end, such as ``TimeLimit``, it
+        learns from the percepts of the world and from its reflexes, as in :meth:`learn_from`.
         After a reset what comes next does not follow from what was: :meth:`interrupt` is called.
 
         ``paid`` is that of :meth:`learn_from`.
@@ -236,29 +245,27 @@ class Agent:
             return Life(*world._live(self._native, count, is_paid))
         if count == 0:
             return Life(0.0, 0, 0)
-        earned, episodes = 0.0, 0
-        observation = self._reset(env)
+        earned, episodes, world = 0.0, 0, _behind(env)
+        observation = self._reset(env, world)
         for _ in range(count):
             step = env.step(self.choose(observation).action)
-            observation, reward, terminated, truncated, info = step
-            percept = _behind(env, observation, info)
-            if percept is None:
+            observation, reward, terminated, truncated, _ = step
+            if world is None:
                 self.learn(observation, reward if is_paid else 0.0)
             else:
                 self._learn_from(step, is_paid)
-                observation = percept
+                observation = world.percept()
             earned += float(reward)
             if terminated or truncated:
                 episodes += 1
-                observation = self._reset(env)
+                observation = self._reset(env, world)
         return Life(earned, count, episodes)
 
-    def _reset(self, env: gymnasium.Env[Any, Any]) -> Any:
+    def _reset(self, env: gymnasium.Env[Any, Any], world: Any) -> Any:
         if self._has_lived():
             self.interrupt()
-        observation, info = env.reset()
-        percept = _behind(env, observation, info)
-        return observation if percept is None else percept
+        observation, _ = env.reset()
+        return observation if world is None else world.percept()
 
     def _has_lived(self) -> bool:
         return bool(self._native.inside()["samples"])

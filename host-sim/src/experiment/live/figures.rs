@@ -1,5 +1,7 @@
 //! The figures of lives anywhere: what everybody obtains, thousand by thousand.
 
+use std::collections::BTreeMap;
+
 use csv::Writer;
 
 use super::options::LiveOptions;
@@ -46,8 +48,13 @@ struct Window {
     from: i64,
     to: i64,
     obtained: u32,
-    /// Whether it has as many strides as a point.
-    whole: bool,
+}
+
+impl Window {
+    /// Whether it has as many actions as a point.
+    fn is_whole(&self) -> bool {
+        self.to - self.from == i64::from(POINT)
+    }
 }
 
 /// The windows of a life in their order: those before the damage are counted back from it, those after
@@ -60,7 +67,6 @@ fn windows_of(course: &Course) -> Vec<Window> {
             from: place(first),
             to: place(first + part.len()),
             obtained: part.iter().sum(),
-            whole: part.len() == strides,
         }
     };
     let [before, after] = &course.obtained;
@@ -78,11 +84,11 @@ fn windows_of(course: &Course) -> Vec<Window> {
     all
 }
 
-/// The whole windows, each at its middle.
-fn points(course: &Course) -> Vec<(f64, f64)> {
-    let whole = windows_of(course).into_iter().filter(|it| it.whole);
+/// The whole windows: the middle of each, and what was obtained.
+fn points(course: &Course) -> Vec<(i64, f64)> {
+    let whole = windows_of(course).into_iter().filter(Window::is_whole);
     whole
-        .map(|it| (0.5 * (it.from + it.to) as f64, f64::from(it.obtained)))
+        .map(|it| (i64::midpoint(it.from, it.to), f64::from(it.obtained)))
         .collect()
 }
 
@@ -117,14 +123,13 @@ fn chart(
     let line = |who: usize| -> Option<Line> {
         let lives = trials.iter().filter_map(|it| it.0.get(who));
         let name = &trials.first()?.0.get(who)?.who;
-        let courses: Vec<_> = lives.filter_map(course).map(|it| points(&it)).collect();
-        // A world that ended early has fewer.
-        let most = courses.iter().max_by_key(|it| it.len())?;
-        let points = most.iter().enumerate().map(|(index, point)| {
-            let at = courses.iter().filter_map(|it| it.get(index));
-            let seeds: Vec<f64> = at.map(|point| point.1).collect();
-            Point::mean_of(point.0, &seeds).of_count()
-        });
+        // By their places: a world that ended early has fewer.
+        let mut places: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
+        for (place, obtained) in lives.filter_map(course).flat_map(|it| points(&it)) {
+            places.entry(place).or_default().push(obtained);
+        }
+        let points = places.iter();
+        let points = points.map(|(&place, seeds)| Point::mean_of(place as f64, seeds).of_count());
         Some(Line::new(name, points.collect()))
     };
     let lines: Vec<Line> = (0..options.everybody().count()).filter_map(line).collect();
@@ -158,7 +163,6 @@ mod tests {
         };
         let all = windows_of(&course);
         let said = all.iter().map(|it| (it.from, it.to, it.obtained));
-        // The last stride before the damage is shorter.
         let there = [
             (-2_110, -1_985, 5),
             (-1_985, -985, 40),
@@ -169,8 +173,8 @@ mod tests {
         assert_eq!(said.collect::<Vec<_>>(), there);
         let lived: i64 = all.iter().map(|it| it.to - it.from).sum();
         assert_eq!((lived, all[0].from), (3_150, -2_110));
-        assert_eq!(points(&course).len(), 3);
-        assert_eq!(points(&course)[2], (500.0, 40.0));
+        // The last stride before the damage is shorter, and so is that window.
+        assert_eq!(points(&course), [(-1_485, 40.0), (500, 40.0)]);
         assert!(windows_of(&Course::default()).is_empty());
     }
 }

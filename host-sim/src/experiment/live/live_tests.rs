@@ -183,6 +183,11 @@ fn what_cannot_be_is_refused_in_one_sentence_that_says_where() {
         (json!({"rivals": ["mind"]}), "mind cannot take part twice"),
         (json!({"rivals": [1]}), "rivals"),
         (json!({"damages": ["camera:+400"]}), "damages: camera takes"),
+        // Thirteen each: what is written in full would not be read again.
+        (
+            json!({"damages": vec!["all"; 8]}),
+            "damages are at most 100, not 104",
+        ),
         (
             json!({"world": {"name": "lake"}, "damages": ["beam"]}),
             "damages: beam",

@@ -76,6 +76,7 @@ impl LiveOptions {
                 read.push(damage(text, &world)?);
             }
         }
+        few("damages", read.len())?;
         let options = Self {
             seeds,
             world,
@@ -145,11 +146,16 @@ fn names(given: &mut Value, key: &str) -> Result<Vec<String>, Impossible> {
         Some(Value::String(name)) => vec![name],
         Some(list) => of_tree(list, key)?,
     };
-    if names.len() > MOST {
-        let sentence = format!("{key} are at most {MOST}, not {}", names.len());
+    few(key, names.len())?;
+    Ok(names)
+}
+
+fn few(key: &str, number: usize) -> Result<(), Impossible> {
+    if number > MOST {
+        let sentence = format!("{key} are at most {MOST}, not {number}");
         return Err(Impossible::new(sentence));
     }
-    Ok(names)
+    Ok(())
 }
 
 fn damage(text: &str, world: &Place) -> Result<Damage, Impossible> {

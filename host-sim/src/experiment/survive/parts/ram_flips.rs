@@ -11,7 +11,7 @@ use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::small;
 use cla_core::forest::MindConfig;
 use cla_core::num::Rng;
-use cla_core::snapshot::{Audit, Names, Scrub, Snapshot, faults};
+use cla_core::snapshot::{self, Audit, Names, Scrub, Snapshot, faults};
 
 use super::super::configurations::VALUE;
 use super::super::part::{Part, Scale, claim, never, tried};
@@ -137,6 +137,8 @@ struct Counts {
     flips: u32,
     mended: u32,
     lost: u32,
+    /// Choices of a value that is no number, and one more for a life at whose end a brain that somebody
+    /// looks after cannot be saved.
     not_finite: u32,
     panicked: u32,
 }
@@ -184,6 +186,12 @@ impl<L: Exposed> Hit<L> {
             self.scrub.seal(self.learner.memory())?;
         }
         Ok(())
+    }
+
+    /// Whether somebody looks after the brain and it cannot be saved all the same: it holds a number
+    /// that is none, or a link to nothing.
+    fn is_damaged(&mut self) -> bool {
+        self.care != Care::Nobody && snapshot::length(&*self.learner.memory()).is_err()
     }
 }
 
@@ -274,6 +282,10 @@ fn lives<L: Exposed>(
         let life = AssertUnwindSafe(|| live(&mut hit, &mut room, acting).is_err());
         let ended = catch_unwind(life);
         hit.counts.panicked = u32::from(ended.is_err());
+        if ended.is_ok() {
+            // Choices show what is wrong where they meet it, and an image wherever it is.
+            hit.counts.not_finite += u32::from(hit.is_damaged());
+        }
         Ok((room.obtained(), hit.counts, ended.unwrap_or(true)))
     };
     let mut undisturbed = 0;

@@ -64,6 +64,37 @@ impl Learner for Refusing {
     }
 }
 
+#[test]
+fn a_brain_that_is_looked_after_and_cannot_be_saved_is_damaged() {
+    let mut brain = Box::new(small::brain());
+    small::be_born(&mut brain, AgentConfig::RESILIENT_LEVEL2, 3).unwrap();
+    let mut hit = Hit {
+        learner: Native::new(brain, Adaptation::Relearning),
+        care: Care::Audit,
+        hits: UNDISTURBED,
+        lost: false,
+        actions: 0,
+        rng: Rng::stream(3, 75),
+        scrub: Scrub::new(),
+        image: Vec::new(),
+        counts: Counts::default(),
+    };
+    assert!(!hit.is_damaged());
+    // So many that a number becomes none.
+    for bit in 0..faults::bits(hit.learner.memory()) {
+        if hit.is_damaged() {
+            break;
+        }
+        faults::flip(hit.learner.memory(), bit);
+    }
+    assert!(hit.is_damaged());
+    hit.care = Care::Scrub;
+    assert!(hit.is_damaged());
+    // Of those that nobody looks after the choices are counted alone.
+    hit.care = Care::Nobody;
+    assert!(!hit.is_damaged());
+}
+
 /// How many lives ended, of a learner that is found so when it looks itself through.
 fn ended(found: Audit, care: &str, hits: &str) -> f64 {
     let mut brain = Box::new(small::brain());
