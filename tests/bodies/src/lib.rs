@@ -22,9 +22,9 @@ fn are_shares(health: &Health) {
         shares.iter().all(|it| (0.0..=1.0).contains(it)),
         "{health:?}"
     );
-    // A call loses no more than its tables hold.
+    // A call loses no more than its maps have nodes, and one may be all that was lived.
     assert!(
-        (0.0..1.0e6).contains(&health.lost) && health.steps <= WINDOW,
+        (0.0..1.0e8).contains(&health.lost) && health.steps <= WINDOW,
         "{health:?}"
     );
 }
