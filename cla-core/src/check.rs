@@ -39,9 +39,6 @@ impl Range {
     pub const NOT_NEGATIVE: Self = Self::of(0.0, true, LARGEST, true);
     /// At least 1: for counts of which there must be one.
     pub const AT_LEAST_ONE: Self = Self::of(1.0, true, LARGEST, true);
-    /// Values that are brought up to date in a step: from 0 to 1024, so that a step ends whoever wrote
-    /// the configuration.
-    pub const REFRESHED: Self = Self::of(0.0, true, 1024.0, true);
     /// What an item may be worth for its own sake: from 0 to 10⁹, so that values stay far from the end
     /// of their numbers even where nothing is discounted.
     pub const VALUE: Self = Self::of(0.0, true, LARGEST_VALUE, true);

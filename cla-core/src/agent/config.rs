@@ -34,7 +34,8 @@ pub struct AgentConfig {
     pub harvest_every: u32,
     /// How values spread.
     pub values: ValueConfig,
-    /// Patterns whose expected value is brought up to date at every step, at most 1024.
+    /// Patterns whose expected value is brought up to date at every step; more than 1024 count as that, so
+    /// that a step ends whoever wrote the configuration.
     pub values_per_step: u16,
     /// By which rule an action is chosen.
     pub rule: ChoiceRule,
@@ -190,10 +191,6 @@ impl Config for AgentConfig {
         let every = self.harvest_every as f32;
         Range::AT_LEAST_ONE.check("AgentConfig::harvest_every", every)?;
         self.values.check()?;
-        Range::REFRESHED.check(
-            "AgentConfig::values_per_step",
-            f32::from(self.values_per_step),
-        )?;
         Range::SHARE.check("AgentConfig::forgetting", self.forgetting)?;
         Range::SHARE.check("AgentConfig::greedy_share", self.greedy_share)?;
         Range::AT_LEAST_ONE.check("AgentConfig::training_run", f32::from(self.training_run))?;

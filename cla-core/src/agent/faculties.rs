@@ -7,7 +7,7 @@ use super::config::AgentConfig;
 use super::step::{Level, Transition};
 use super::trail::Trail;
 use crate::adaptation::{Alarm, SurpriseConfig};
-use crate::choice::{ChoiceRule, Habits, Preference, Voice};
+use crate::choice::{ChoiceRule, Habits, MOST_A_STEP, Preference, Voice};
 use crate::knowledge::{KnowledgeBase, Outcome, SchemaId, SyntheticId};
 use crate::level2::{Fallback, SecondLevel};
 use crate::map::ActionSom;
@@ -233,13 +233,13 @@ impl<
     #[inline(never)]
     pub(super) fn improve_values(&mut self, config: &AgentConfig) {
         let (values, knowledge) = (&config.values, &mut self.knowledge);
-        knowledge.improve_values::<ACTIONS>(config.values_per_step, values);
+        knowledge.improve_values::<ACTIONS>(config.values_per_step.min(MOST_A_STEP), values);
         if let Some(level2) = &config.level2 {
             if let Some(trace) = self.trail.item() {
                 self.level2.improve(knowledge, trace, values, level2);
             }
-            self.level2
-                .improve_values(knowledge, level2.values_per_step, values, level2);
+            let count = level2.values_per_step.min(MOST_A_STEP);
+            self.level2.improve_values(knowledge, count, values, level2);
         }
     }
 

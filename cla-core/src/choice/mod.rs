@@ -13,4 +13,4 @@ pub use rule::{ChoiceRule, Preference};
 pub use value::{Appraisal, InherentValueError, ValueConfig};
 
 pub(crate) use rule::{Voice, most_worth};
-pub(crate) use value::state_of;
+pub(crate) use value::{MOST_A_STEP, state_of};

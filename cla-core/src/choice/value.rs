@@ -13,6 +13,9 @@ use crate::knowledge::{Estimate, KnowledgeBase, Others, Schema};
 use crate::snapshot::{LARGEST, LARGEST_VALUE, clipped, stored};
 use crate::word::{ItemId, ItemSet, ItemStates, SignedItems};
 
+/// The most values that a step brings up to date.
+pub(crate) const MOST_A_STEP: u16 = 1024;
+
 /// The largest number below 1: the largest discount.
 const MOST_DISCOUNT: f32 = 1.0 - f32::EPSILON / 2.0;
 

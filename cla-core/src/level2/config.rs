@@ -31,7 +31,8 @@ pub struct Level2Config {
     /// The least weight of a new occasion, in `[0, 1)`: about 1 / `forgetting` of them count;
     /// 0 never forgets.
     pub forgetting: f32,
-    /// Synthetic items whose value is brought up to date at every step, at most 1024.
+    /// Synthetic items whose value is brought up to date at every step; more than 1024 count as that, so
+    /// that a step ends whoever wrote the configuration.
     pub values_per_step: u16,
     /// When level 1 decides although level 2 has something to say.
     pub fallback: Fallback,
@@ -75,10 +76,6 @@ impl Level2Config {
 
 impl Config for Level2Config {
     fn check(&self) -> Result<(), ConfigError> {
-        Range::REFRESHED.check(
-            "Level2Config::values_per_step",
-            f32::from(self.values_per_step),
-        )?;
         Range::ABOVE_ZERO.check("Level2Config::prior", self.prior)?;
         Range::SHARE.check("Level2Config::experience", self.experience)?;
         Range::SHARE.check("Level2Config::lambda", self.lambda)?;

@@ -19,9 +19,6 @@
 //! Two polynomials, because what one of them cannot see it cannot see twice.
 //! Loading is all or nothing: the image is read once to be believed and a second time to be taken.
 //! A configuration in an image has to work like any other.
-//! So an image of version 1 by which a step refreshes more than 1024 values (`values_per_step` of an
-//! agent or of its second level) is refused as damaged since 0.2.0: with 65,535 of them a step took a
-//! second, and whoever writes the medium must not make a robot's steps longer than its ticks.
 //! Why it is not serde is told in `docs/decisions/snapshots.md`.
 
 mod audit;

@@ -253,13 +253,14 @@ fn bytes_of_the_cores_code_are_those_of_the_budget() {
 const CALLS_HEAD: &str =
     "| Cortex-M4F | choose, mean | 99 % of them | worst | learn, mean | 99 % of them | worst |";
 
-/// Robots of `calls`, and the most that a call may take; `None` for one that says what it takes.
-const ROBOTS: [(&str, Option<u64>); 5] = [
-    ("forager", Some(120_000)),
-    ("small", Some(105_000)),
-    ("twelve items", Some(120_000)),
-    ("twelve items and plans", None),
-    ("twelve items and plans, at 1200 units", Some(120_000)),
+/// Robots of `calls`, the most that a call may take, `None` for one that says what it takes, and the
+/// percent of a table that its life fills: with 1024 samples no more leaves grow than that.
+const ROBOTS: [(&str, Option<u64>, u64); 5] = [
+    ("forager", Some(120_000), 95),
+    ("small", Some(105_000), 70),
+    ("twelve items", Some(120_000), 95),
+    ("twelve items and plans", None, 95),
+    ("twelve items and plans, at 1200 units", Some(120_000), 95),
 ];
 
 #[test]
@@ -279,7 +280,7 @@ fn calls_of_the_learner_for_any_world_are_bounded_whatever_the_robot() {
             recorded("learn", "worst"),
         ],
     ));
-    for (robot, most) in ROBOTS {
+    for (robot, most, full) in ROBOTS {
         let line = calls.after(&format!("{robot}:")).expect("its life");
         let (_, kinds) = line.split_once(" choose ").expect("both kinds");
         let (choose, learn) = kinds.split_once(" learn ").expect("both kinds");
@@ -295,7 +296,7 @@ fn calls_of_the_learner_for_any_world_are_bounded_whatever_the_robot() {
         }
         // A life whose tables fill, and in which the reward stayed away.
         assert!(
-            word(learn, "alarms") > 0 && word(learn, "fullest") >= 95,
+            word(learn, "alarms") > 0 && word(learn, "fullest") >= full,
             "{line}"
         );
         rows.push((

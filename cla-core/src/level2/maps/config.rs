@@ -27,7 +27,8 @@ pub struct SomLevelConfig {
     /// The least weight of a new label, in `[0, 1)`: about 1 / `forgetting` of them count; 0 never
     /// forgets.
     pub forgetting: f32,
-    /// Synthetic items whose values are brought up to date at every step, at most 1024.
+    /// Synthetic items whose values are brought up to date at every step; more than 1024 count as that, so
+    /// that a step ends whoever wrote the configuration.
     pub values_per_step: u16,
 }
 
@@ -52,10 +53,6 @@ impl Config for SomLevelConfig {
         self.harvest.check()?;
         let every = self.harvest_every as f32;
         Range::AT_LEAST_ONE.check("SomLevelConfig::harvest_every", every)?;
-        Range::REFRESHED.check(
-            "SomLevelConfig::values_per_step",
-            f32::from(self.values_per_step),
-        )?;
         match self.reading {
             Reading::Counters { prior, trace_prior } => {
                 Range::ABOVE_ZERO.check("Reading::Counters::prior", prior)?;

@@ -11,7 +11,7 @@ use super::implication::{Implications, Synthetic};
 use super::labels::Labels;
 use super::reading::{Bank, read, widened};
 use crate::check::{Checked, Config, ConfigError};
-use crate::choice::{Preference, ValueConfig};
+use crate::choice::{MOST_A_STEP, Preference, ValueConfig};
 use crate::knowledge::{KnowledgeBase, Reliability, SchemaId, SyntheticId};
 use crate::map::{ActionSomBank, ResultCoding, Sample, Trained};
 use crate::num::Rng;
@@ -352,7 +352,7 @@ impl<
             self.implied
                 .improve(knowledge, item, values, config.reading);
         }
-        self.improve_values(knowledge, config.values_per_step, values);
+        self.improve_values(knowledge, config.values_per_step.min(MOST_A_STEP), values);
     }
 
     /// Follows the schemas of level 1 after a harvest there.
