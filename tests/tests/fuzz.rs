@@ -49,7 +49,9 @@ fn the_plan_of_the_fuzzers_has_every_target_and_a_hundred_million_executions() {
         };
         targets.insert(target);
         assert!((1..=4096).contains(&bytes.parse::<u32>().expect("bytes")));
-        executions += runs.parse::<u64>().expect("executions");
+        let runs: u64 = runs.parse().expect("executions");
+        assert!(runs >= 60_000, "{line}");
+        executions += runs;
     }
     let all: BTreeSet<&str> = TARGETS.iter().map(|(target, _)| *target).collect();
     assert_eq!(targets, all);

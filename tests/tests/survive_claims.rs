@@ -53,7 +53,8 @@ fn a_seed_that_the_commit_chooses_is_tried_the_same_again() {
     }
 }
 
-/// Takes the parts of a run into the committed file: a part depends on no other.
+/// Takes the parts of a run into the committed file: a part depends on no other, and of each stands of
+/// which commit it is.
 fn take(run: &Summary) {
     let path = root().join(FILE);
     let mut whole = if path.exists() {
@@ -85,6 +86,16 @@ fn take(run: &Summary) {
     let parts: Vec<&str> = all.parts.iter().map(|it| it.name).collect();
     whole.parameter("parts", parts.join(" "));
     whole.options = Some(serde_json::to_value(&all).expect("options are JSON"));
+    let commit = run.commit.as_deref().unwrap_or("unknown");
+    for part in run
+        .options
+        .iter()
+        .filter_map(|it| it["parts"].as_array())
+        .flatten()
+    {
+        let part = part.as_str().expect("a name");
+        whole.parameter(&format!("commit of {part}"), commit);
+    }
     whole.commit.clone_from(&run.commit);
     whole.version.clone_from(&run.version);
     let whole = whole.judged();

@@ -160,10 +160,9 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
 
     /// Halves the trials of a context and action when they are many.
     fn bound_trials(&mut self, context: PatternId, action: ActionId) {
-        // What may be added before they are added up again counts, too.
         let (mut trials, mut schemas) = (0_u32, 0);
         for (_, schema) in self.of_group(context, action) {
-            trials = trials.saturating_add(u32::from(schema.doubt.hits) + u32::from(ADDED_UP));
+            trials = trials.saturating_add(u32::from(schema.doubt.hits));
             schemas += 1;
         }
         self.count_schemas(schemas);
@@ -178,8 +177,8 @@ impl<const WORDS: usize, const PATTERNS: usize, const SCHEMAS: usize>
         let mut trials = 0_u16;
         for (_, schema) in self.of_group(context, action) {
             let Doubt { old, hits, .. } = schema.doubt;
-            // An image can hold more, and a context with dozens of results.
-            let hits = hits.min(MOST_TRIALS - trials);
+            // An image can hold more, and a context with more than sixty results.
+            let hits = hits.min(2 * MOST_TRIALS - trials);
             let p = f32::from(old) / 65_535.0;
             let p = if p > LEAST { p } else { LEAST };
             for (log, strength) in logs.iter_mut().zip(STRENGTHS) {

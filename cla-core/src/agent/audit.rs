@@ -28,7 +28,7 @@ impl<
     ///
     /// A sound brain lives on to the bit; values that are wrong and possible are not seen.
     /// What is not [`Audit::Lost`] afterwards can be saved.
-    /// For times when nothing has to be done: it takes about as long as a harvest;
+    /// For times when nothing has to be done: it takes as long as eight harvests, its longest part as two and a half;
     /// [`audit_part`](Self::audit_part) does it in steps.
     pub fn audit(&mut self) -> Audit {
         let mut found = Audit::Sound;

@@ -18,10 +18,9 @@ use crate::map::{ActionSomBank, Sample};
 use crate::num::Rng;
 use crate::snapshot::stored_codes;
 use crate::som::{BinarySom, Prototypes};
-use crate::word::{ActionId, Cost, Gauge, Health, ItemId, ItemStates, State, Told, fullest};
-
-/// Losses of its tables in a thousand steps with which an agent is still well.
-const BEARABLE: u32 = 20;
+use crate::word::{
+    ActionId, BEARABLE, Cost, Gauge, Health, ItemId, ItemStates, State, Told, fullest,
+};
 
 /// What an agent is doing with its life.
 ///

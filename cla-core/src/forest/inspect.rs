@@ -3,11 +3,11 @@
 //! Nothing here changes anything.
 
 use super::config::{MindConfig, Voice};
-use super::mind::{Age, BEARABLE, Mind};
+use super::mind::{Age, Mind};
 use super::moment::Feature;
 use super::tree::DEEP;
 use crate::reason::Reasoning;
-use crate::word::{ActionId, Health, ItemId, ItemSet, State, fullest};
+use crate::word::{ActionId, BEARABLE, Health, ItemId, ItemSet, State, fullest};
 
 /// How far the tables of a mind are filled, each with its capacity.
 ///

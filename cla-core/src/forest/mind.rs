@@ -19,7 +19,7 @@ use crate::check::Config;
 use crate::num::Rng;
 use crate::reason::Reasoning;
 use crate::snapshot::stored_codes;
-use crate::word::{ActionId, Gauge, ItemSet, ItemStates};
+use crate::word::{ActionId, BEARABLE, Gauge, ItemSet, ItemStates};
 
 /// How many voices there are.
 const VOICES: usize = Voice::ALL.len();
@@ -29,9 +29,6 @@ const CROWDED: f32 = 0.5;
 
 /// Values that fade in the time of a unit.
 const FADED_AT_ONCE: u32 = 6;
-
-/// Losses of its tables in a thousand steps with which a mind is still well.
-pub(super) const BEARABLE: u32 = 20;
 
 /// Values closer than this are the same.
 const CLOSE: f32 = 1.0e-6;

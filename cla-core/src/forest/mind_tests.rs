@@ -416,12 +416,13 @@ fn ends(mind: &mut Small, actions: u32, thrown_back: bool) -> (u32, u32) {
 }
 
 /// Left and right ends that six minds reach in 300 actions after they lived for so long and what is
-/// worth having has changed; and how often six newborns reach the right one.
+/// worth having has changed; and how often six newborns reach the right one. Before, they go to the left.
 fn changed(lived: u32, thrown_back: bool) -> ((u32, u32), u32) {
-    let (mut after, mut newborns) = ((0, 0), 0);
+    let (mut before, mut after, mut newborns) = ((0, 0), (0, 0), 0);
     for seed in 0..6 {
         let mut mind = born(&[(0, 10.0), (6, 1.0)], seed);
-        ends(&mut mind, lived, thrown_back);
+        let (left, right) = ends(&mut mind, lived, thrown_back);
+        before = (before.0 + left, before.1 + right);
         mind.act().unwrap();
         mind.revalue(ItemId(0), -5.0).unwrap();
         mind.revalue(ItemId(6), 10.0).unwrap();
@@ -430,6 +431,8 @@ fn changed(lived: u32, thrown_back: bool) -> ((u32, u32), u32) {
         let mut newborn = born(&[(0, -5.0), (6, 10.0)], seed);
         newborns += ends(&mut newborn, 300, thrown_back).1;
     }
+    std::println!("{lived} {thrown_back} {before:?} {after:?} {newborns}");
+    assert!(before.0 > 4 * before.1, "{before:?}");
     (after, newborns)
 }
 
@@ -438,14 +441,12 @@ fn what_is_worth_having_may_change_in_mid_life() {
     for thrown_back in [false, true] {
         // What it remembers of the way is worth something.
         let (after, newborns) = changed(800, thrown_back);
-        std::println!("800 {after:?} {newborns}");
         assert!(
             after.1 > newborns && after.1 > 8 * after.0,
             "{after:?} {newborns}"
         );
         // Where it remembers nothing it looks for a way, as a newborn does.
         let (after, newborns) = changed(3_000, thrown_back);
-        std::println!("3000 {after:?} {newborns}");
         assert!(
             10 * after.1 > 9 * newborns && after.1 > 8 * after.0,
             "{after:?} {newborns}"
@@ -468,6 +469,20 @@ fn who_looks_for_a_new_value_does_not_take_that_for_the_usual_wait() {
     assert!(escapes.count() >= 8);
     assert!(corridor(&mut mind, 2_000) > 100);
     assert!(mind.wait < 30.0, "{}", mind.wait);
+}
+
+#[test]
+fn nobody_sets_out_where_nothing_is_worth_having() {
+    let mut mind = born(&[(0, -1.0), (5, 10.0)], 4);
+    corridor(&mut mind, 600);
+    mind.act().unwrap();
+    let (wait, earned) = (mind.wait, mind.earned);
+    // Another harm says nothing of how long rewards take.
+    mind.revalue(ItemId(0), -5.0).unwrap();
+    assert_eq!((mind.wait, mind.earned, mind.burst), (wait, earned, 0));
+    assert!(wait > 0.0 && earned > 1);
+    mind.revalue(ItemId(5), -1.0).unwrap();
+    assert_eq!(mind.burst, 0);
 }
 
 #[test]

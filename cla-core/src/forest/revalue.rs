@@ -30,6 +30,8 @@ impl<
     /// values those go first that others are to have.
     /// Who is put elsewhere says so ([`interrupt`](Self::interrupt)), or tells what led there
     /// ([`observe`](Self::observe)).
+    /// Where nothing that is remembered would bring anything now, and something is worth having, it sets
+    /// out at once, as after a long time without reward (`MindConfig::burst`).
     /// One pass over the samples and the habits: a call for a robot that stands still.
     ///
     /// # Errors
@@ -66,10 +68,13 @@ impl<
         self.voices = Voices::new();
         self.led = false;
         self.doubt.get_acquainted();
-        // How long the new values take to come is not known. Where nothing that is remembered would bring
-        // anything now, it sets out at once.
-        (self.since, self.wait, self.earned) = (0, 0.0, self.earned.min(1));
-        self.burst = if ends.1 > 0.0 { 0 } else { self.config.burst };
+        if old > 0.0 || value > 0.0 {
+            // How long the new values take to come is not known.
+            (self.since, self.wait, self.earned) = (0, 0.0, self.earned.min(1));
+            let hopes = self.values.iter().any(|it| *it > 0.0);
+            let sets_out = hopes && ends.1 <= 0.0;
+            self.burst = if sets_out { self.config.burst } else { 0 };
+        }
         self.begin_health();
         Ok(())
     }

@@ -246,6 +246,18 @@ mod tests {
     }
 
     #[test]
+    fn as_much_too_much_as_rounding_brings_is_sound_and_more_is_not() {
+        for (times, mended) in [(1.87, 0), (2.1, 1)] {
+            let (mut knowledge, mut level) = met();
+            level.table.rows[0].tried[usize::from(GO.0)] = 6.71e6;
+            for belief in &mut level.table.beliefs[..3] {
+                belief.on = 6.71e6 * times / 3.0;
+            }
+            assert_eq!(level.audit(&mut knowledge, false), mended, "{times}");
+        }
+    }
+
+    #[test]
     fn an_item_of_another_action_than_its_schemas_is_freed_and_never_followed() {
         let (mut knowledge, mut level) = met();
         level.table.rows[1].action = STAY;

@@ -102,10 +102,7 @@ impl Config for Recruitment {
 
 impl Config for TrainingConfig {
     fn check(&self) -> Result<(), ConfigError> {
-        // A schedule never rises above the larger of its ends.
-        for samples in [0, u32::MAX] {
-            Range::SHARE.check("TrainingConfig::alpha", self.alpha.at(samples))?;
-        }
+        Range::SHARE.check("TrainingConfig::alpha", self.alpha.most())?;
         let sigma = self.sigma.at(0);
         Range::NOT_NEGATIVE.check("TrainingConfig::sigma", sigma)?;
         Range::SHARE.check("TrainingConfig::cut", self.cut)?;
@@ -482,7 +479,7 @@ impl<
     /// nothing and answers `None`.
     ///
     /// Nothing is checked here: a `result_weight` out of its range counts as the nearest in it, NaN as
-    /// 0; by a rate α beyond 1 nothing moves, with a `cut` beyond `[0, 1]` the winner alone does, and a
+    /// 0; by a rate α beyond 1 no node moves towards a sample, though a new pattern may still take one; with a `cut` beyond `[0, 1]` the winner alone does, and a
     /// vigilance that is no number finds nothing new.
     pub fn train<const WORDS: usize>(
         &mut self,

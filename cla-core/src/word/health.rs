@@ -6,6 +6,9 @@
 /// Steps of a window.
 pub const WINDOW: u16 = 1000;
 
+/// Losses of its tables in a window with which a brain is still well.
+pub(crate) const BEARABLE: u32 = 20;
+
 /// How a brain is doing.
 ///
 /// Shares and rates are those of the last whole [`WINDOW`] of steps; before there is one, of the steps so

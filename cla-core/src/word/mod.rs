@@ -16,7 +16,7 @@ mod threshold;
 
 pub use action::{ActionId, Vocabulary};
 pub use cost::Cost;
-pub(crate) use health::{Gauge, State, Told, fullest};
+pub(crate) use health::{BEARABLE, Gauge, State, Told, fullest};
 pub use health::{Health, WINDOW};
 pub use item::{ItemId, ItemOutOfRange, ItemSet, ItemStates, Items};
 pub use notation::{Detail, NotationError, SchemaText, Written};

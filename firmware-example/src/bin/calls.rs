@@ -1,7 +1,7 @@
 #![no_std]
 #![no_main]
 //! What calls of the learner for any world take at their worst, in instructions: lives of robots whose
-//! percepts are chance, so that every table fills, and whose reward stays away at last, so that they doubt.
+//! percepts are chance, so that tables fill, and whose reward stays away at last, so that they doubt.
 //!
 //! `cargo run --release --bin calls` in this folder; a line for each robot: its bytes, and of `choose` and
 //! `learn` the mean, the 99th percentile (to within 256) and the worst; and how full the fullest table was.

@@ -137,9 +137,10 @@ struct Counts {
     flips: u32,
     mended: u32,
     lost: u32,
-    /// Choices of a value that is no number, and one more for a life at whose end a brain that somebody
-    /// looks after cannot be saved.
+    /// Choices of a value that is no number.
     not_finite: u32,
+    /// Whether the brain could not be saved at the end of its life.
+    unsaved: u32,
     panicked: u32,
 }
 
@@ -188,10 +189,9 @@ impl<L: Exposed> Hit<L> {
         Ok(())
     }
 
-    /// Whether somebody looks after the brain and it cannot be saved all the same: it holds a number
-    /// that is none, or a link to nothing.
+    /// Whether the brain cannot be saved: it holds a number that is none, or a link to nothing.
     fn is_damaged(&mut self) -> bool {
-        self.care != Care::Nobody && snapshot::length(&*self.learner.memory()).is_err()
+        snapshot::length(&*self.learner.memory()).is_err()
     }
 }
 
@@ -284,7 +284,7 @@ fn lives<L: Exposed>(
         hit.counts.panicked = u32::from(ended.is_err());
         if ended.is_ok() {
             // Choices show what is wrong where they meet it, and an image wherever it is.
-            hit.counts.not_finite += u32::from(hit.is_damaged());
+            hit.counts.unsaved = u32::from(hit.is_damaged());
         }
         Ok((room.obtained(), hit.counts, ended.unwrap_or(true)))
     };
@@ -295,7 +295,7 @@ fn lives<L: Exposed>(
     trial.note(format!("ram_flips.{name}.undisturbed"), undisturbed);
     for hits in HITS {
         for (how, care) in CARES {
-            let mut sums = [0; 7];
+            let mut sums = [0; 8];
             for number in 0..LIVES {
                 let (captures, counts, ended) = life(care, hits, number)?;
                 let of_life = [
@@ -304,6 +304,7 @@ fn lives<L: Exposed>(
                     counts.mended,
                     counts.lost,
                     counts.not_finite,
+                    counts.unsaved,
                     counts.panicked,
                     u32::from(ended),
                 ];
@@ -317,6 +318,7 @@ fn lives<L: Exposed>(
                 "mended",
                 "lost",
                 "not_finite",
+                "unsaved",
                 "panicked",
                 "ended",
             ];
@@ -365,6 +367,12 @@ fn of_care(trials: &[Trial], care: &str) -> Vec<Claim> {
             "of twenty lives those that panicked; a hang would have kept the run from its end",
             &one("panicked"),
         ),
+        claim(&format!("{id}.unsaved"), "lives")
+            .rule(rule.clone())
+            .note(
+                "of twenty lives those at whose end a number was not finite or a link led nowhere",
+            )
+            .judge(&one("unsaved")),
         claim(&format!("{id}.ended"), "lives")
             .rule(rule)
             .note("lives that ended because a call was refused, but for learning after a loss")

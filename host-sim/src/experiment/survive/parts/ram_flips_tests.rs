@@ -65,12 +65,12 @@ impl Learner for Refusing {
 }
 
 #[test]
-fn a_brain_that_is_looked_after_and_cannot_be_saved_is_damaged() {
+fn a_brain_that_cannot_be_saved_is_damaged() {
     let mut brain = Box::new(small::brain());
     small::be_born(&mut brain, AgentConfig::RESILIENT_LEVEL2, 3).unwrap();
     let mut hit = Hit {
         learner: Native::new(brain, Adaptation::Relearning),
-        care: Care::Audit,
+        care: Care::Nobody,
         hits: UNDISTURBED,
         lost: false,
         actions: 0,
@@ -88,11 +88,6 @@ fn a_brain_that_is_looked_after_and_cannot_be_saved_is_damaged() {
         faults::flip(hit.learner.memory(), bit);
     }
     assert!(hit.is_damaged());
-    hit.care = Care::Scrub;
-    assert!(hit.is_damaged());
-    // Of those that nobody looks after the choices are counted alone.
-    hit.care = Care::Nobody;
-    assert!(!hit.is_damaged());
 }
 
 /// How many lives ended, of a learner that is found so when it looks itself through.
