@@ -207,16 +207,17 @@ fn a_frozen_agent_learns_nothing_and_an_adapting_one_no_new_schema() {
 
 #[test]
 fn a_step_ends_however_many_values_it_is_to_bring_up_to_date() {
-    let lived = |count: u16| {
+    let lived = |level1: u16, level2: u16| {
         let config = AgentConfig {
-            values_per_step: count,
+            values_per_step: level1,
             level2: Some(Level2Config {
-                values_per_step: count,
+                values_per_step: level2,
                 ..Level2Config::FORAGER
             }),
             ..AgentConfig::FORAGER
         };
-        let mut agent = walker(config, 4);
+        let mut agent = Box::new(super::Agent::<1, 4, 6, 6, 2, 64, 256, 8, 16>::new());
+        agent.be_born(config, &GOLD, 4).unwrap();
         let mut world = Corridor(0);
         for _ in 0..300 {
             let choice = agent.choose(&world.sense()).unwrap();
@@ -225,8 +226,10 @@ fn a_step_ends_however_many_values_it_is_to_bring_up_to_date() {
         }
         agent.cost()
     };
-    assert_eq!(lived(u16::MAX), lived(1024));
-    assert_ne!(lived(1024), lived(512));
+    assert_eq!(lived(u16::MAX, 4), lived(1024, 4));
+    assert_eq!(lived(4, u16::MAX), lived(4, 1024));
+    let fewer = [lived(512, 4), lived(4, 512)];
+    assert!(fewer[0] != lived(1024, 4) && fewer[1] != lived(4, 1024));
 }
 
 #[test]
