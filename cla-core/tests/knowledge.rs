@@ -248,23 +248,29 @@ fn what_does_not_fit_is_named_and_the_brain_is_as_it_was() {
     // A life is no knowledge, and knowledge is no life.
     let mut brain = born!(little, 2);
     let refused = load(&mut *brain, Names::UNKNOWN, &mut &*image);
-    assert_eq!(refused, Err(LoadError::Kind));
+    let kind = |image, here| Err(LoadError::Kind { image, here });
+    assert_eq!(refused, kind("an agent's knowledge", "an agent"));
     let mut mind = Box::new(Mind::<1, 4, 3, 8, 12, 32, 48, 160>::new());
     mind.be_born(MindConfig::DEFAULT, [0.0; 4], 1).unwrap();
     let refused = take(&mut *mind, little::VOCABULARY, &image);
-    assert_eq!(refused, Err(LoadError::Kind));
+    assert_eq!(refused, kind("an agent's knowledge", "a mind's knowledge"));
 }
 
 /// Written when version 1 was new, after 1500 actions; it is never written again.
 #[test]
-fn knowledge_of_version_1_is_read_for_ever() {
-    let golden = include_bytes!("fixtures/lamp-v1.knowledge");
-    let mut brain = born!(little, 2);
-    let taken = take(&mut *brain, little::VOCABULARY, golden);
-    assert_eq!(taken, Ok(golden.len() as u32));
-    assert!(knowledge(&*brain, little::VOCABULARY.names()) == golden);
-    assert_eq!(brain.knowledge().schemas().len(), 28);
-    assert!(live!(brain, Lamp::new(4), 4, 300) > 60);
+fn knowledge_of_every_version_is_read_for_ever() {
+    let taken = |golden: &[u8]| {
+        let mut brain = born!(little, 2);
+        let taken = take(&mut *brain, little::VOCABULARY, golden);
+        assert_eq!(taken, Ok(golden.len() as u32));
+        brain
+    };
+    let again = |golden: &[u8]| knowledge(&*taken(golden), little::VOCABULARY.names());
+    for golden in fixtures::versions("lamp-v?.knowledge", again) {
+        let mut brain = taken(&golden);
+        assert_eq!(brain.knowledge().schemas().len(), 28);
+        assert!(live!(brain, Lamp::new(4), 4, 300) > 60);
+    }
 }
 
 #[test]
@@ -325,26 +331,24 @@ fn known_in_samples(image: &[u8], words: usize, items: usize) -> Vec<u64> {
 
 /// Written with 0.2.0, after 1500 actions; it is never written again.
 #[test]
-fn knowledge_of_a_mind_of_version_1_is_read_for_ever() {
+fn knowledge_of_a_mind_of_every_version_is_read_for_ever() {
     let names = little::VOCABULARY.names();
-    let golden = fixtures::kept("lamp-mind-v1.knowledge", || {
-        let mut mind = small(3);
-        live!(mind, Lamp::new(9), 4, 1500);
-        knowledge(&*mind, names)
-    });
-    let mut mind = small(8);
-    let taken = take(&mut *mind, little::VOCABULARY, &golden);
-    assert_eq!(taken, Ok(golden.len() as u32));
-    assert_eq!(mind.size().0, 384);
-    assert!(!mind.reason().schemas().is_empty());
+    let taken = |golden: &[u8], seed| {
+        let mut mind = small(seed);
+        let taken = take(&mut *mind, little::VOCABULARY, golden);
+        assert_eq!(taken, Ok(golden.len() as u32));
+        mind
+    };
     // Where the other life ended is kept no longer; the rest is taken as it was, and again.
-    let again = knowledge(&*mind, names);
-    assert_eq!(again.len(), golden.len());
-    let mut other = small(9);
-    take(&mut *other, little::VOCABULARY, &again).unwrap();
-    assert!(knowledge(&*other, names) == again);
-    mind.act().unwrap();
-    live!(mind, Lamp::new(4), 4, 300);
+    let again = |golden: &[u8]| knowledge(&*taken(golden, 9), names);
+    for golden in fixtures::versions("lamp-mind-v?.knowledge", again) {
+        let mut mind = taken(&golden, 8);
+        assert_eq!(mind.size().0, 384);
+        assert!(!mind.reason().schemas().is_empty());
+        assert_eq!(knowledge(&*mind, names).len(), golden.len());
+        mind.act().unwrap();
+        live!(mind, Lamp::new(4), 4, 300);
+    }
 }
 
 #[test]

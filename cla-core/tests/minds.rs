@@ -197,27 +197,31 @@ fn a_mind_that_reasons_goes_on_to_the_bit_also_with_a_goal_before_it() {
 
 /// Written when version 1 was new, after 700 actions with a goal before it; it is never written again.
 #[test]
-fn the_image_of_a_reasoning_mind_of_version_1_is_read_for_ever() {
-    let golden = include_bytes!("fixtures/corridor-v1.image");
-    let (mut mind, mut world) = thinking(77);
-    assert_eq!(load(&mut *mind, golden), Ok(golden.len() as u32));
-    assert!(image(&*mind) == golden);
-    assert_eq!(mind.pursuit(), Pursuit::Underway { left: 200 });
-    assert_eq!((mind.size().0, mind.reason().schemas().len()), (256, 31));
-    world.live(&mut mind, 500);
+fn the_image_of_a_reasoning_mind_of_every_version_is_read_for_ever() {
+    let taken = |golden: &[u8]| {
+        let (mut mind, world) = thinking(77);
+        assert_eq!(load(&mut *mind, golden), Ok(golden.len() as u32));
+        (mind, world)
+    };
+    for golden in fixtures::versions("corridor-v?.image", |golden| image(&*taken(golden).0)) {
+        let (mut mind, mut world) = taken(&golden);
+        assert_eq!(mind.pursuit(), Pursuit::Underway { left: 200 });
+        assert_eq!((mind.size().0, mind.reason().schemas().len()), (256, 31));
+        world.live(&mut mind, 500);
+    }
 }
 
 /// Written with 0.2.0, after 700 actions; it is never written again.
 #[test]
-fn the_image_of_a_mind_without_a_reason_of_version_1_is_read_for_ever() {
-    let golden = fixtures::kept("corridor-plain-v1.image", || {
-        let (mut mind, mut world) = born(3);
-        world.live(&mut mind, 700);
-        image(&*mind)
-    });
-    let (mut mind, mut world) = born(77);
-    assert_eq!(load(&mut *mind, &golden), Ok(golden.len() as u32));
-    assert!(image(&*mind) == golden);
-    assert_eq!((mind.size().0, mind.value(ItemId(5))), (256, 1.0));
-    world.live(&mut mind, 500);
+fn the_image_of_a_mind_without_a_reason_of_every_version_is_read_for_ever() {
+    let taken = |golden: &[u8]| {
+        let (mut mind, world) = born(77);
+        assert_eq!(load(&mut *mind, golden), Ok(golden.len() as u32));
+        (mind, world)
+    };
+    for golden in fixtures::versions("corridor-plain-v?.image", |it| image(&*taken(it).0)) {
+        let (mut mind, mut world) = taken(&golden);
+        assert_eq!((mind.size().0, mind.value(ItemId(5))), (256, 1.0));
+        world.live(&mut mind, 500);
+    }
 }

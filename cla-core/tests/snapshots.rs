@@ -105,6 +105,8 @@ fn every_named_configuration_goes_on_to_the_bit_from_every_stage() {
         AgentConfig::FORAGER_LEVEL2,
         AgentConfig::RESILIENT,
         AgentConfig::RESILIENT_LEVEL2,
+        AgentConfig::FORAGER_LASTING,
+        AgentConfig::RESILIENT_LASTING,
     ] {
         for until in UNTIL {
             goes_on!(floats, config, until);
@@ -360,35 +362,38 @@ fn a_medium_that_cannot_be_read_again_is_told_as_such() {
 
 /// Written when version 1 was new, after 700 actions; it is never written again.
 #[test]
-fn the_image_of_version_1_is_read_for_ever() {
-    let golden = include_bytes!("fixtures/lamp-v1.image");
-    let mut brain = Box::new(bytes::brain());
-    load(&mut *brain, golden).unwrap();
-    assert!(image(&*brain) == golden);
-    assert_eq!(brain.knowledge().inherent_value(ItemId(3)), 10.0);
-    let samples: u32 = brain.bank().maps().iter().map(|map| map.samples()).sum();
-    assert_eq!((samples, brain.knowledge().schemas().len()), (719, 32));
-    Lamp::new(21).live(&mut brain, 500);
+fn the_image_of_every_version_is_read_for_ever() {
+    let taken = |golden: &[u8]| {
+        let mut brain = Box::new(bytes::brain());
+        assert_eq!(load(&mut *brain, golden), Ok(golden.len() as u32));
+        brain
+    };
+    for golden in fixtures::versions("lamp-v?.image", |golden| image(&*taken(golden))) {
+        let mut brain = taken(&golden);
+        assert_eq!(brain.knowledge().inherent_value(ItemId(3)), 10.0);
+        let samples: u32 = brain.bank().maps().iter().map(|map| map.samples()).sum();
+        assert_eq!((samples, brain.knowledge().schemas().len()), (719, 32));
+        Lamp::new(21).live(&mut brain, 500);
+    }
 }
 
 /// The same of maps of floats, written with 0.2.0; it is never written again.
 #[test]
-fn the_image_of_version_1_with_maps_of_floats_is_read_for_ever() {
-    let golden = fixtures::kept("lamp-floats-v1.image", || {
+fn the_image_of_every_version_with_maps_of_floats_is_read_for_ever() {
+    let taken = |golden: &[u8]| {
         let mut brain = Box::new(floats::brain());
-        floats::be_born(&mut brain, AgentConfig::RESILIENT_LEVEL2, 3).unwrap();
-        Lamp::new(9).live(&mut brain, 700);
-        image(&*brain)
-    });
-    let mut brain = Box::new(floats::brain());
-    assert_eq!(load(&mut *brain, &golden), Ok(golden.len() as u32));
-    assert!(image(&*brain) == golden);
-    assert_eq!(brain.knowledge().inherent_value(ItemId(3)), 10.0);
-    let samples: u32 = brain.bank().maps().iter().map(|map| map.samples()).sum();
-    assert_eq!(samples, 719);
-    assert!(!brain.knowledge().schemas().is_empty());
-    assert!(!brain.second_level().beliefs().is_empty());
-    Lamp::new(21).live(&mut brain, 500);
+        assert_eq!(load(&mut *brain, golden), Ok(golden.len() as u32));
+        brain
+    };
+    for golden in fixtures::versions("lamp-floats-v?.image", |golden| image(&*taken(golden))) {
+        let mut brain = taken(&golden);
+        assert_eq!(brain.knowledge().inherent_value(ItemId(3)), 10.0);
+        let samples: u32 = brain.bank().maps().iter().map(|map| map.samples()).sum();
+        assert_eq!(samples, 719);
+        assert!(!brain.knowledge().schemas().is_empty());
+        assert!(!brain.second_level().beliefs().is_empty());
+        Lamp::new(21).live(&mut brain, 500);
+    }
 }
 
 /// The image with other bytes here and there, and its checksums made right.

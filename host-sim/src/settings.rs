@@ -377,6 +377,7 @@ mod tests {
             AgentConfig::FORAGER_LEVEL2,
             AgentConfig::RESILIENT,
             AgentConfig::RESILIENT_LEVEL2,
+            AgentConfig::RESILIENT_LASTING,
         ] {
             comes_back(&config);
             let level2 = config.level2.map(|it| Level2Config {

@@ -150,6 +150,10 @@ impl AgentConfig {
 
     /// The forager with both levels and habits: the second needs to see where the robot's own ways
     /// lead, so nine actions of ten are greedy, and every tenth tries something else on the way.
+    ///
+    /// It stays what it is, for comparison; its habits drift after some million actions
+    /// ([`Traces::Replacing`](crate::choice::Traces::Replacing)), those of
+    /// [`FORAGER_LASTING`](Self::FORAGER_LASTING) do not.
     pub const FORAGER_LEVEL2: Self = Self {
         greedy_share: 0.9,
         training_run: 1,
@@ -174,6 +178,24 @@ impl AgentConfig {
     pub const RESILIENT_LEVEL2: Self = Self {
         surprise: Some(SurpriseConfig::FORAGER),
         ..Self::FORAGER_LEVEL2
+    };
+
+    /// Both levels for a life without an end: habits whose traces accumulate.
+    pub const FORAGER_LASTING: Self = Self {
+        habits: Some(HabitConfig::LASTING),
+        ..Self::FORAGER_LEVEL2
+    };
+
+    /// Both levels, surprise and habits that last: for a robot that must go on when something breaks, for
+    /// millions of actions.
+    ///
+    /// ```
+    /// use cla_core::agent::AgentConfig;
+    /// assert!(AgentConfig::RESILIENT_LASTING.habits != AgentConfig::RESILIENT_LEVEL2.habits);
+    /// ```
+    pub const RESILIENT_LASTING: Self = Self {
+        surprise: Some(SurpriseConfig::FORAGER),
+        ..Self::FORAGER_LASTING
     };
 }
 

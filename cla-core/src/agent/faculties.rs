@@ -156,13 +156,9 @@ impl<
         let Some(habits) = &config.habits else {
             return;
         };
-        let rate = if self.alarm.doubts() {
-            habits.doubting_rate
-        } else {
-            habits.learning_rate
-        };
         let deed = (*step.before.on(), decided_after, step.action);
-        self.practised = self.habits.feel(deed, step.reward, rate, habits);
+        let doubts = self.alarm.doubts();
+        self.practised = self.habits.feel(deed, step.reward, doubts, habits);
     }
 
     /// Counts every prediction about the action right or wrong; in a doubt that can be resolved

@@ -3,13 +3,16 @@
 //! Schemas say what an action leads to, and values follow by inference; where the percept hides what
 //! matters, inference chains guesses.
 //! A habit infers nothing: temporal differences along what was really done, Sarsa(λ) (Rummery and
-//! Niranjan 1994) with replacing traces (Singh and Sutton 1996), over few features: every item that
-//! is on, the synthetic item of the schema that has succeeded last, and one that is always there.
+//! Niranjan 1994) with eligibility traces that accumulate or replace each other (Singh and Sutton
+//! 1996), over few features: every item that is on, the synthetic item of the schema that has
+//! succeeded last, and one that is always there.
 //! An agent weighs both voices, as animals seem to (Daw, Niv and Dayan 2005).
 
 use crate::check::{Config, ConfigError, Range};
 use crate::knowledge::SyntheticId;
-use crate::snapshot::{LARGEST, MOST_CHANGE, Reader, Stored, Writer, bounded, stored};
+use crate::snapshot::{
+    Flip, LARGEST, MOST_CHANGE, Mender, Reader, Stored, Writer, bounded, stored,
+};
 use crate::word::{ActionId, ItemSet};
 
 /// How habits form, and how much they say.
@@ -37,6 +40,36 @@ pub struct HabitConfig {
     pub learning_rate: f32,
     /// The same while the agent doubts what it knows.
     pub doubting_rate: f32,
+    /// Whether a feature that comes again is still part of the deeds before.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub traces: Traces,
+}
+
+/// What a reward is felt by when a feature comes again within the last deeds: the eligibility trace.
+///
+/// ```
+/// use cla_core::choice::{HabitConfig, Traces};
+/// assert_eq!(HabitConfig::FORAGER.traces, Traces::Replacing);
+/// assert_eq!(HabitConfig::LASTING.traces, Traces::Accumulating);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
+pub enum Traces {
+    /// By its newest deed alone.
+    ///
+    /// Many features share an action's worth, and one that is nearly always on is then learned from the
+    /// newest step alone: over millions of actions the sum drifts above what can be earned
+    /// (docs/findings/long-life.md).
+    #[default]
+    Replacing,
+    /// By every deed that it was part of, as the gradient says; by the newest alone while the agent
+    /// doubts, when fast is better than right.
+    Accumulating,
 }
 
 impl HabitConfig {
@@ -47,6 +80,16 @@ impl HabitConfig {
         lambda: 0.8,
         learning_rate: 0.03,
         doubting_rate: 0.2,
+        traces: Traces::Replacing,
+    };
+
+    /// Habits for a life without an end: traces accumulate, and each of them learns a third.
+    ///
+    /// Ten million actions on the simulated Pioneer, seeds 0 and 1: nothing drifts, where `FORAGER`'s do.
+    pub const LASTING: Self = Self {
+        learning_rate: 0.01,
+        traces: Traces::Accumulating,
+        ..Self::FORAGER
     };
 }
 
@@ -81,8 +124,8 @@ impl<const WORDS: usize> Deed<WORDS> {
 
 /// What each action has brought, for each feature; the worth of an action is their sum.
 ///
-/// In the field: Sarsa(λ) with linear function approximation and replacing eligibility traces, the
-/// model-free half of the learner.
+/// In the field: Sarsa(λ) with linear function approximation and eligibility traces, the model-free half
+/// of the learner.
 ///
 /// ```
 /// use cla_core::choice::Habits;
@@ -204,14 +247,19 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
     }
 
     /// Learns from an action, done where these items were on and `trace` had just succeeded, and
-    /// from the reward that it brought; answers how many values have moved.
+    /// from the reward that it brought, faster while it `doubts`; answers how many values have moved.
     pub(crate) fn feel(
         &mut self,
         (on, trace, action): (ItemSet<WORDS>, Option<SyntheticId>, ActionId),
         reward: f32,
-        rate: f32,
+        doubts: bool,
         config: &HabitConfig,
     ) -> u32 {
+        let (rate, traces) = if doubts {
+            (config.doubting_rate, Traces::Replacing)
+        } else {
+            (config.learning_rate, config.traces)
+        };
         let deed = Deed { on, trace, action };
         let mut moved = 0;
         if self.count > 0
@@ -226,7 +274,7 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
             let rate = if rate < share { rate } else { share };
             if error.abs() <= LARGEST {
                 let change = bounded(rate * error, MOST_CHANGE);
-                moved = self.spread(change, config.discount * config.lambda);
+                moved = self.spread(change, config.discount * config.lambda, traces);
             }
         }
         self.newest = self.newest.wrapping_add(1) % FELT as u8;
@@ -240,9 +288,10 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
         moved
     }
 
-    /// Moves the values of the last deeds, the older the less; a feature that came again belongs to
-    /// the newer deed alone.
-    fn spread(&mut self, change: f32, fading: f32) -> u32 {
+    /// Moves the values of the last deeds, the older the less; where traces replace each other, a feature
+    /// that came again belongs to the newer deed alone.
+    fn spread(&mut self, change: f32, fading: f32, traces: Traces) -> u32 {
+        let replacing = traces == Traces::Replacing;
         let mut change = change;
         let mut seen = ItemSet::EMPTY;
         let mut moved = 0;
@@ -258,23 +307,26 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
                     moved += 1;
                 }
             };
-            if age == 0 {
+            if age == 0 || !replacing {
                 shift(Some(&mut self.always));
             }
             for item in deed.on.difference(&seen).iter() {
                 shift(self.items.get_mut(usize::from(item.0)));
             }
             if let Some(trace) = deed.trace {
-                let newer = (0..age).any(|newer| {
-                    let place = (usize::from(self.newest) + FELT - newer) % FELT;
-                    let newer = self.deeds.get(place);
-                    newer.is_some_and(|newer| newer.trace == Some(trace))
-                });
+                let newer = replacing
+                    && (0..age).any(|newer| {
+                        let place = (usize::from(self.newest) + FELT - newer) % FELT;
+                        let newer = self.deeds.get(place);
+                        newer.is_some_and(|newer| newer.trace == Some(trace))
+                    });
                 if !newer {
                     shift(self.traces.get_mut(usize::from(trace.0)));
                 }
             }
-            seen = seen.union(&deed.on);
+            if replacing {
+                seen = seen.union(&deed.on);
+            }
             change *= fading;
         }
         moved
@@ -343,7 +395,58 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
     }
 }
 
-stored! { impl[] HabitConfig { weight, discount, lambda, learning_rate, doubting_rate } }
+stored! { impl[] HabitConfig { weight, discount, lambda, learning_rate, doubting_rate, traces } }
+
+impl Traces {
+    const fn of(code: u8) -> Option<Self> {
+        match code {
+            0 => Some(Self::Replacing),
+            1 => Some(Self::Accumulating),
+            _ => None,
+        }
+    }
+
+    const fn code(self) -> u8 {
+        match self {
+            Self::Replacing => 0,
+            Self::Accumulating => 1,
+        }
+    }
+}
+
+impl Stored for Traces {
+    const BLANK: Self = Self::Replacing;
+
+    fn store(&self, to: &mut Writer<'_>) {
+        self.code().store(to);
+    }
+
+    // Version 1 knew one kind.
+    fn restore(&mut self, from: &mut Reader<'_>) {
+        *self = Self::Replacing;
+        if from.is_before(2) {
+            return;
+        }
+        let mut code = 0_u8;
+        code.restore(from);
+        match Self::of(code) {
+            Some(it) => *self = it,
+            None => from.refuse(),
+        }
+    }
+
+    fn mend(&mut self, _: &mut Mender) {}
+
+    // A code that means nothing cannot be held.
+    fn flip(&mut self, by: &mut Flip) {
+        if let Some(bit) = by.field(8)
+            && let Some(it) = Self::of(self.code() ^ 1_u8.wrapping_shl(bit))
+        {
+            *self = it;
+        }
+    }
+}
+
 stored! { impl[const WORDS: usize] Deed<WORDS> { on, trace, action } }
 stored! {
     impl[const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHETIC: usize]

@@ -2,7 +2,7 @@
 
 use std::boxed::Box;
 
-use super::{ActionId, HabitConfig, Habits, ItemSet, SyntheticId};
+use super::{ActionId, HabitConfig, Habits, ItemSet, SyntheticId, Traces};
 use crate::adaptation::SurpriseConfig;
 use crate::agent::{Adaptation, Agent, AgentConfig, AgentError};
 use crate::check::Config;
@@ -12,6 +12,13 @@ type Three = Habits<1, 3, 2, 4>;
 const CONFIG: HabitConfig = HabitConfig::FORAGER;
 const RIGHT: ActionId = ActionId(0);
 const WRONG: ActionId = ActionId(1);
+
+fn rate(learning_rate: f32) -> HabitConfig {
+    HabitConfig {
+        learning_rate,
+        ..CONFIG
+    }
+}
 
 fn at(item: u16) -> ItemSet<1> {
     let mut on = ItemSet::EMPTY;
@@ -25,7 +32,7 @@ fn in_a_ring_every_action_gets_the_discounted_sum_of_what_follows_it() {
     for step in 0..6000_u16 {
         let place = step % 3;
         let reward = if place == 2 { 10.0 } else { 0.0 };
-        it.feel((at(place), None, RIGHT), reward, 0.1, &CONFIG);
+        it.feel((at(place), None, RIGHT), reward, false, &rate(0.1));
     }
     let g = CONFIG.discount;
     let last = 10.0 / (1.0 - g * g * g);
@@ -43,10 +50,10 @@ fn in_a_ring_every_action_gets_the_discounted_sum_of_what_follows_it() {
 fn a_reward_is_felt_back_along_the_way_and_a_feature_that_came_again_by_its_last_action() {
     let mut it = Three::new();
     let trace = Some(SyntheticId(1));
-    it.feel((at(0), trace, WRONG), 0.0, 0.5, &CONFIG);
-    it.feel((at(1), None, RIGHT), 0.0, 0.5, &CONFIG);
-    it.feel((at(0), None, RIGHT), 10.0, 0.5, &CONFIG);
-    it.feel((at(2), None, RIGHT), 0.0, 0.5, &CONFIG);
+    it.feel((at(0), trace, WRONG), 0.0, false, &rate(0.5));
+    it.feel((at(1), None, RIGHT), 0.0, false, &rate(0.5));
+    it.feel((at(0), None, RIGHT), 10.0, false, &rate(0.5));
+    it.feel((at(2), None, RIGHT), 0.0, false, &rate(0.5));
     // Always and item 0 by half of the reward; what was before by less; its item came again.
     let fading = CONFIG.discount * CONFIG.lambda;
     assert_eq!(it.always, [5.0, 0.0]);
@@ -54,6 +61,36 @@ fn a_reward_is_felt_back_along_the_way_and_a_feature_that_came_again_by_its_last
     assert_eq!(it.items[1], [5.0 * fading, 0.0]);
     assert_eq!(it.traces[1], [0.0, 5.0 * fading * fading]);
     assert_eq!(it.worth(&at(0), trace), [10.0, 5.0 * fading * fading]);
+}
+
+#[test]
+fn where_traces_accumulate_every_deed_feels_it_and_in_a_doubt_the_newest_alone() {
+    let accumulating = HabitConfig {
+        learning_rate: 0.25,
+        doubting_rate: 0.25,
+        traces: Traces::Accumulating,
+        ..CONFIG
+    };
+    let trace = Some(SyntheticId(1));
+    let lived = |doubts| {
+        let mut it = Three::new();
+        it.feel((at(0), trace, WRONG), 0.0, doubts, &accumulating);
+        it.feel((at(0), trace, RIGHT), 10.0, doubts, &accumulating);
+        let moved = it.feel((at(2), None, RIGHT), 0.0, doubts, &accumulating);
+        (it, moved)
+    };
+    let fading = CONFIG.discount * CONFIG.lambda;
+    let (it, moved) = lived(false);
+    assert_eq!(moved, 6);
+    let both = [2.5, 2.5 * fading];
+    assert_eq!((it.always, it.items[0], it.traces[1]), (both, both, both));
+    let (it, moved) = lived(true);
+    assert_eq!(moved, 3);
+    let newest = [2.5, 0.0];
+    assert_eq!(
+        (it.always, it.items[0], it.traces[1]),
+        (newest, newest, newest)
+    );
 }
 
 #[test]
@@ -65,24 +102,24 @@ fn no_more_is_felt_than_the_last_deeds_and_nothing_after_a_pause() {
         it.feel(
             (ItemSet::EMPTY, Some(SyntheticId(step)), RIGHT),
             reward,
-            0.1,
-            &CONFIG,
+            false,
+            &rate(0.1),
         );
     }
-    let moved = it.feel((ItemSet::EMPTY, None, RIGHT), 0.0, 0.1, &CONFIG);
+    let moved = it.feel((ItemSet::EMPTY, None, RIGHT), 0.0, false, &rate(0.1));
     assert_eq!(moved, 1 + 16);
     for (step, worth) in it.traces.iter().enumerate() {
         assert_eq!(worth[0] > 0.0, step >= 40 - 16, "{step}");
     }
     it.pause();
-    assert_eq!(it.feel((at(0), None, RIGHT), 10.0, 0.5, &CONFIG), 0);
+    assert_eq!(it.feel((at(0), None, RIGHT), 10.0, false, &rate(0.5)), 0);
 }
 
 #[test]
 fn many_features_at_full_rate_do_not_run_away() {
     let config = HabitConfig {
         discount: 0.0,
-        ..CONFIG
+        ..rate(1.0)
     };
     let mut it = Three::new();
     let everything = ItemSet::first(3);
@@ -90,7 +127,7 @@ fn many_features_at_full_rate_do_not_run_away() {
         it.feel(
             (everything, Some(SyntheticId(0)), RIGHT),
             10.0,
-            1.0,
+            false,
             &config,
         );
     }
@@ -102,9 +139,9 @@ fn many_features_at_full_rate_do_not_run_away() {
 fn what_a_reflex_brings_belongs_to_the_deed_before_it() {
     let mut it = Three::new();
     it.add(10.0);
-    it.feel((at(0), None, RIGHT), 0.0, 0.5, &CONFIG);
+    it.feel((at(0), None, RIGHT), 0.0, false, &rate(0.5));
     it.add(10.0);
-    it.feel((at(1), None, RIGHT), 0.0, 0.5, &CONFIG);
+    it.feel((at(1), None, RIGHT), 0.0, false, &rate(0.5));
     assert_eq!(it.worth(&at(0), None), [10.0, 0.0]);
 }
 
@@ -112,12 +149,12 @@ fn what_a_reflex_brings_belongs_to_the_deed_before_it() {
 fn an_item_that_stands_for_another_schema_begins_without_habits() {
     let mut it = Three::new();
     let trace = SyntheticId(2);
-    it.feel((at(0), Some(trace), RIGHT), 10.0, 0.25, &CONFIG);
-    it.feel((at(1), None, RIGHT), 0.0, 0.25, &CONFIG);
+    it.feel((at(0), Some(trace), RIGHT), 10.0, false, &rate(0.25));
+    it.feel((at(1), None, RIGHT), 0.0, false, &rate(0.25));
     assert_eq!(it.traces[2], [2.5, 0.0]);
-    it.feel((at(1), Some(trace), RIGHT), 10.0, 0.25, &CONFIG);
+    it.feel((at(1), Some(trace), RIGHT), 10.0, false, &rate(0.25));
     it.renew(trace);
-    it.feel((at(2), None, RIGHT), 0.0, 0.25, &CONFIG);
+    it.feel((at(2), None, RIGHT), 0.0, false, &rate(0.25));
     assert_eq!(it.traces[2], [0.0, 0.0]);
     // An id outside the capacity is nothing, not a panic.
     it.renew(SyntheticId(99));
@@ -214,8 +251,13 @@ fn without_habits_nothing_is_practised_and_bad_ones_are_refused() {
 #[test]
 fn habits_that_are_cleared_are_as_new() {
     let mut it = Three::new();
-    it.feel((at(0), Some(SyntheticId(1)), RIGHT), 10.0, 0.5, &CONFIG);
-    it.feel((at(1), None, RIGHT), 0.0, 0.5, &CONFIG);
+    it.feel(
+        (at(0), Some(SyntheticId(1)), RIGHT),
+        10.0,
+        false,
+        &rate(0.5),
+    );
+    it.feel((at(1), None, RIGHT), 0.0, false, &rate(0.5));
     assert_ne!(it, Three::new());
     it.clear();
     assert_eq!(it, Three::new());
@@ -238,9 +280,9 @@ fn a_td_error_is_what_came_and_what_is_to_be_had_less_what_was_expected() {
     let mut it = Three::new();
     it.items[0] = [4.0, 0.0];
     it.items[1] = [0.0, 6.0];
-    it.feel((at(0), None, RIGHT), 3.0, 0.25, &CONFIG);
+    it.feel((at(0), None, RIGHT), 3.0, false, &rate(0.25));
     // Always and the item move by a quarter each of 3 + .85 · 6 − 4.
-    let moved = it.feel((at(1), None, WRONG), 0.0, 0.25, &CONFIG);
+    let moved = it.feel((at(1), None, WRONG), 0.0, false, &rate(0.25));
     assert_eq!(moved, 2);
     let step = 0.25 * (3.0 + 0.85 * 6.0 - 4.0);
     let near = |value: f32, expected: f32| assert!((value - expected).abs() < 1e-5, "{value}");
@@ -248,7 +290,7 @@ fn a_td_error_is_what_came_and_what_is_to_be_had_less_what_was_expected() {
     near(it.items[0][0], 4.0 + step);
     assert_eq!(it.items[1], [0.0, 6.0]);
     // At full rate a deed of two features moves by half the error each: to what was felt.
-    it.feel((at(2), None, RIGHT), 0.0, 1.0, &CONFIG);
+    it.feel((at(2), None, RIGHT), 0.0, false, &rate(1.0));
     let before = it.worth(&at(2), None)[0];
     near(it.items[1][1] + it.always[1], 0.85 * before);
 }
@@ -256,8 +298,8 @@ fn a_td_error_is_what_came_and_what_is_to_be_had_less_what_was_expected() {
 #[test]
 fn what_is_not_finite_is_not_learned() {
     let mut it = Three::new();
-    it.feel((at(0), None, RIGHT), f32::INFINITY, 0.5, &CONFIG);
-    assert_eq!(it.feel((at(1), None, RIGHT), 0.0, 0.5, &CONFIG), 0);
+    it.feel((at(0), None, RIGHT), f32::INFINITY, false, &rate(0.5));
+    assert_eq!(it.feel((at(1), None, RIGHT), 0.0, false, &rate(0.5)), 0);
     assert_eq!(it.worth(&at(0), None), [0.0, 0.0]);
 }
 
@@ -265,20 +307,20 @@ fn what_is_not_finite_is_not_learned() {
 fn a_trace_that_came_again_belongs_to_the_newer_deed() {
     let mut it = Three::new();
     let trace = Some(SyntheticId(3));
-    it.feel((ItemSet::EMPTY, trace, WRONG), 0.0, 0.25, &CONFIG);
-    it.feel((ItemSet::EMPTY, trace, RIGHT), 10.0, 0.25, &CONFIG);
-    let moved = it.feel((ItemSet::EMPTY, None, RIGHT), 0.0, 0.25, &CONFIG);
+    it.feel((ItemSet::EMPTY, trace, WRONG), 0.0, false, &rate(0.25));
+    it.feel((ItemSet::EMPTY, trace, RIGHT), 10.0, false, &rate(0.25));
+    let moved = it.feel((ItemSet::EMPTY, None, RIGHT), 0.0, false, &rate(0.25));
     assert_eq!((moved, it.traces[3]), (2, [2.5, 0.0]));
     // A trace that is renewed is no part of the deeds any more, others are.
     it.feel(
         (ItemSet::EMPTY, Some(SyntheticId(2)), RIGHT),
         0.0,
-        0.25,
-        &CONFIG,
+        false,
+        &rate(0.25),
     );
     it.renew(SyntheticId(3));
-    it.feel((ItemSet::EMPTY, None, RIGHT), 10.0, 0.25, &CONFIG);
-    it.feel((ItemSet::EMPTY, None, RIGHT), 0.0, 0.25, &CONFIG);
+    it.feel((ItemSet::EMPTY, None, RIGHT), 10.0, false, &rate(0.25));
+    it.feel((ItemSet::EMPTY, None, RIGHT), 0.0, false, &rate(0.25));
     assert_eq!(it.traces[3], [0.0, 0.0]);
     assert!(it.traces[2][0] > 0.5);
 }
@@ -308,6 +350,7 @@ fn a_configuration_of_habits_is_sound_when_every_number_is_in_range() {
         lambda: 1.0,
         learning_rate: 0.0,
         doubting_rate: 1.0,
+        traces: Traces::Accumulating,
     };
     assert!(edges.check().is_ok());
 }
@@ -321,15 +364,15 @@ fn at_full_rate_all_features_of_a_deed_together_move_to_what_was_felt() {
         (ItemSet::first(3), Some(SyntheticId(1))),
     ] {
         let mut it = Three::new();
-        it.feel((on, trace, RIGHT), 6.0, 1.0, &CONFIG);
+        it.feel((on, trace, RIGHT), 6.0, false, &rate(1.0));
         it.pause();
-        it.feel((on, trace, RIGHT), 6.0, 1.0, &CONFIG);
+        it.feel((on, trace, RIGHT), 6.0, false, &rate(1.0));
         assert_eq!(
             it.worth(&on, trace),
             [0.0, 0.0],
             "a pause forgets what came"
         );
-        it.feel((ItemSet::EMPTY, None, WRONG), 0.0, 1.0, &CONFIG);
+        it.feel((ItemSet::EMPTY, None, WRONG), 0.0, false, &rate(1.0));
         let [right, wrong] = it.worth(&on, trace);
         assert!(
             (right - 6.0).abs() < 1e-5 && wrong == 0.0,

@@ -8,7 +8,7 @@ mod habit;
 mod rule;
 mod value;
 
-pub use habit::{HabitConfig, Habits};
+pub use habit::{HabitConfig, Habits, Traces};
 pub use rule::{ChoiceRule, Preference};
 pub use value::{Appraisal, InherentValueError, ValueConfig};
 

@@ -1,6 +1,6 @@
 //! For which brain an image was made.
 
-use super::limits::VERSION;
+use super::limits::{OLDEST, VERSION};
 use super::refusal::LoadError;
 use super::writer::OF_SECTIONS;
 use super::{Reader, Writer};
@@ -144,9 +144,7 @@ pub(super) fn read_knowledge<E>(
     from: &mut Reader<'_>,
 ) -> Result<Kept, LoadError<E>> {
     let found = found(there, from)?;
-    if found.kind != profile.kind | KNOWLEDGE {
-        return Err(LoadError::Kind);
-    }
+    is_kind(found.kind, profile.kind | KNOWLEDGE)?;
     let own = profile.capacities.iter().copied();
     let all = found.capacities.into_iter().zip(own);
     for (number, (image, (name, here))) in all.enumerate() {
@@ -176,6 +174,21 @@ pub(super) fn read_knowledge<E>(
     })
 }
 
+/// Refuses an image of another kind, by the names of both.
+fn is_kind<E>(image: u8, here: u8) -> Result<(), LoadError<E>> {
+    if image == here {
+        return Ok(());
+    }
+    let [image, here] = [image, here].map(|kind| match kind {
+        1 => "an agent",
+        2 => "a mind",
+        129 => "an agent's knowledge",
+        130 => "a mind's knowledge",
+        _ => "a brain that this program does not know",
+    });
+    Err(LoadError::Kind { image, here })
+}
+
 /// Reads the header; how long the image is.
 pub(super) fn read<E>(
     profile: &Profile,
@@ -184,9 +197,7 @@ pub(super) fn read<E>(
     from: &mut Reader<'_>,
 ) -> Result<u32, LoadError<E>> {
     let found = found(there, from)?;
-    if found.kind != profile.kind {
-        return Err(LoadError::Kind);
-    }
+    is_kind(found.kind, profile.kind)?;
     if found.weights != profile.weights {
         return Err(LoadError::Weights);
     }
@@ -223,16 +234,17 @@ fn found<E>(there: u32, from: &mut Reader<'_>) -> Result<Found, LoadError<E>> {
     if magic != MAGIC {
         return Err(LoadError::NotAnImage);
     }
-    // The header of another version may be longer, and then its checksum lies elsewhere.
+    let is_read = (OLDEST..=VERSION).contains(&version);
+    // The header of a later version may be longer, and then its checksum lies elsewhere.
     from.end_section();
     if from.is_wrong() {
-        return Err(if version == VERSION {
+        return Err(if is_read {
             LoadError::Damaged("header")
         } else {
             LoadError::Version { image: version }
         });
     }
-    if version != VERSION {
+    if !is_read {
         return Err(LoadError::Version { image: version });
     }
     if header != HEADER || length < u32::from(HEADER) {
@@ -244,6 +256,7 @@ fn found<E>(there: u32, from: &mut Reader<'_>) -> Result<Found, LoadError<E>> {
     if length > there {
         return Err(LoadError::Truncated);
     }
+    from.set_version(version);
     Ok(Found {
         kind,
         weights,

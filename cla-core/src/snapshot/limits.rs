@@ -1,8 +1,10 @@
 //! What numbers and links of a sound brain are bounded by, and the version that is written.
 
-/// The version of the format that is written; older ones that can be read are migrated by a step of
-/// their own.
-pub(super) const VERSION: u16 = 1;
+/// The version of the format that is written.
+pub(super) const VERSION: u16 = 2;
+/// The oldest that is read; what a later one has more is made by a step of its own
+/// ([`Reader::is_before`](super::Reader::is_before)).
+pub(super) const OLDEST: u16 = 1;
 /// The largest number in a sound brain: sums over tables and products with counts stay finite.
 pub(crate) const LARGEST: f32 = 1e20;
 /// Less than half of what lies between neighbouring numbers at [`LARGEST`]: whatever is changed by no

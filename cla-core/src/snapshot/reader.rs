@@ -1,6 +1,6 @@
 //! The way in: pieces become bytes, bytes become fields, and nothing is believed before its checksum.
 
-use super::limits::Limits;
+use super::limits::{Limits, VERSION};
 use super::writer::{PIECE, Sums};
 
 /// Reads one piece from a place; whether it could.
@@ -21,6 +21,7 @@ pub struct Reader<'a> {
     sums: Sums,
     /// How many there are of what links point at.
     pub(crate) limits: Limits,
+    version: u16,
     wrong: bool,
     failed: bool,
     unfit: Option<Unfit>,
@@ -45,6 +46,7 @@ impl<'a> Reader<'a> {
             end: 0,
             sums: Sums::new(),
             limits,
+            version: VERSION,
             wrong: false,
             failed: false,
             unfit: None,
@@ -54,6 +56,16 @@ impl<'a> Reader<'a> {
     /// Lets the next `length` bytes be read.
     pub(super) const fn allow(&mut self, length: u32) {
         self.end = self.at.saturating_add(length);
+    }
+
+    /// What follows was written in this version of the format.
+    pub(super) const fn set_version(&mut self, version: u16) {
+        self.version = version;
+    }
+
+    /// Whether the image was written before that version, so that what came with it is missing.
+    pub(crate) const fn is_before(&self, version: u16) -> bool {
+        self.version < version
     }
 
     /// Notes that what was read cannot be so in a sound brain.

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::limits::VERSION;
+use super::limits::{OLDEST, VERSION};
 
 /// Why a brain was not saved.
 ///
@@ -48,7 +48,12 @@ pub enum LoadError<E> {
     /// It was made with another arithmetic.
     Numerics,
     /// It is of another kind of brain.
-    Kind,
+    Kind {
+        /// What it is of: `"an agent"`, `"a mind"`, or what one of them knows.
+        image: &'static str,
+        /// What was asked for.
+        here: &'static str,
+    },
     /// Its maps' weights are stored otherwise.
     Weights,
     /// It is of a brain with another capacity.
@@ -85,7 +90,7 @@ impl<E> LoadError<E> {
             self,
             Self::Version { .. }
                 | Self::Numerics
-                | Self::Kind
+                | Self::Kind { .. }
                 | Self::Weights
                 | Self::Capacity { .. }
                 | Self::Items
@@ -118,13 +123,18 @@ impl<E: fmt::Display> fmt::Display for LoadError<E> {
             Self::NotAnImage => f.write_str("this is no image of a brain"),
             Self::Version { image } => write!(
                 f,
-                "the image is of version {image} of the format, and this program reads version {}",
-                VERSION
+                "the image is of version {image} of the format, and this program reads {OLDEST} to {VERSION}"
             ),
             Self::Numerics => {
                 f.write_str("the image is of a life with another arithmetic (feature micromath)")
             }
-            Self::Kind => f.write_str("the image is of another kind of brain"),
+            Self::Kind { image, here } => {
+                f.write_str("the image is of ")?;
+                f.write_str(image)?;
+                f.write_str(", and one of ")?;
+                f.write_str(here)?;
+                f.write_str(" is asked for")
+            }
             Self::Weights => f.write_str("the image is of a brain whose maps store weights otherwise"),
             Self::Capacity { name, image, here } => write!(
                 f,

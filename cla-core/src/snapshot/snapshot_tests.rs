@@ -143,7 +143,7 @@ fn an_image_is_what_the_table_of_the_module_says() {
     assert_eq!(&image[..8], b"CLABRAIN");
     assert_eq!(
         image[8..16],
-        [1, 0, 80, 0, super::header::NUMERICS as u8, 0, 9, 0]
+        [2, 0, 80, 0, super::header::NUMERICS as u8, 0, 9, 0]
     );
     assert_eq!(image[16..24], [4, 0, 0, 0, 0, 0, 0, 0]);
     assert_eq!(image[64..72], [0; 8]);
@@ -173,11 +173,18 @@ fn what_cannot_be_so_is_refused_under_a_right_checksum() {
         read(&sealed(image))
     };
     assert_eq!(damaged(0, b"CLABRAIM"), Err(LoadError::NotAnImage));
-    assert_eq!(damaged(8, &[2]), Err(LoadError::Version { image: 2 }));
+    assert_eq!(damaged(8, &[0]), Err(LoadError::Version { image: 0 }));
+    assert_eq!(damaged(8, &[3]), Err(LoadError::Version { image: 3 }));
     assert_eq!(damaged(10, &[81]), Err(LoadError::Damaged("header")));
     assert_eq!(damaged(72, &[79]), Err(LoadError::Damaged("header")));
     assert_eq!(damaged(12, &[7]), Err(LoadError::Numerics));
-    assert_eq!(damaged(14, &[1]), Err(LoadError::Kind));
+    let unknown = "a brain that this program does not know";
+    let kind = |image| LoadError::Kind {
+        image,
+        here: unknown,
+    };
+    assert_eq!(damaged(14, &[1]), Err(kind("an agent")));
+    assert_eq!(damaged(14, &[130]), Err(kind("a mind's knowledge")));
     assert_eq!(damaged(15, &[1]), Err(LoadError::Weights));
     let capacity = |name, image, here| LoadError::Capacity { name, image, here };
     assert_eq!(damaged(16, &[3]), Err(capacity("numbers", 3, 4)));

@@ -115,8 +115,9 @@ pub struct LiveArgs {
     /// pioneer, noise-free, microworld, vacuum, keys, lake, shuttle, generated, or a .POMDP file.
     #[arg(long, value_name = "NAME|FILE")]
     pub world: Option<String>,
-    /// mind, book, forager, forager-level2, resilient, resilient-level2, q, q-history, sarsa,
-    /// sarsa-history, linear, linear-history, servo, told or random.
+    /// mind, book, forager, forager-level2, resilient, resilient-level2, forager-lasting,
+    /// resilient-lasting, q, q-history, sarsa, sarsa-history, linear, linear-history, servo, told or
+    /// random.
     #[arg(long, value_name = "NAME")]
     pub agent: Option<String>,
     /// Learners beside it, with the settings that they have by themselves.

@@ -79,7 +79,7 @@ pub struct TrainArgs {
     #[command(flatten)]
     pub world: Box<WorldArgs>,
     /// How it learns, unless it is loaded: book, forager, forager-level2, resilient,
-    /// resilient-level2, or mind for the one learner.
+    /// resilient-level2, forager-lasting, resilient-lasting, or mind for the one learner.
     #[arg(long, value_name = "NAME", default_value = "forager")]
     pub brain: String,
     /// Own actions.

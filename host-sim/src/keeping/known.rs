@@ -94,7 +94,7 @@ fn portrait(image: &[u8]) -> Result<Portrait, String> {
         match it(image) {
             Ok(portrait) => return Ok(portrait),
             Err(
-                why @ (LoadError::Kind
+                why @ (LoadError::Kind { .. }
                 | LoadError::Weights
                 | LoadError::Capacity { .. }
                 | LoadError::Items

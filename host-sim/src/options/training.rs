@@ -77,9 +77,12 @@ pub fn training(args: &TrainArgs) -> Result<Training, Impossible> {
             "forager-level2" => Raised::Agent(AgentConfig::FORAGER_LEVEL2),
             "resilient" => Raised::Agent(AgentConfig::RESILIENT),
             "resilient-level2" => Raised::Agent(AgentConfig::RESILIENT_LEVEL2),
+            "forager-lasting" => Raised::Agent(AgentConfig::FORAGER_LASTING),
+            "resilient-lasting" => Raised::Agent(AgentConfig::RESILIENT_LASTING),
             "mind" => Raised::Mind,
             other => {
-                let names = "book, forager, forager-level2, resilient, resilient-level2 or mind";
+                let names = "book, forager, forager-level2, resilient, resilient-level2, \
+                             forager-lasting, resilient-lasting or mind";
                 return Err(no("--brain", names, other));
             }
         },

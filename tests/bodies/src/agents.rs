@@ -29,7 +29,8 @@ impl Tweaked {
             AgentConfig::FORAGER_LEVEL2,
             AgentConfig::RESILIENT,
             AgentConfig::RESILIENT_LEVEL2,
-        ][usize::from(self.named % 5)];
+            AgentConfig::RESILIENT_LASTING,
+        ][usize::from(self.named % 6)];
         // Often enough that maps are read within a list.
         it.harvest_every = u32::from(self.every % 16);
         it.training_run = u16::from(self.run);

@@ -32,13 +32,15 @@ use crate::world::pomdp::shuttle as docking;
 use crate::world::vacuum::cleaner;
 
 /// The names of the learners.
-pub const LEARNERS: [&str; 15] = [
+pub const LEARNERS: [&str; 17] = [
     "mind",
     "book",
     "forager",
     "forager-level2",
     "resilient",
     "resilient-level2",
+    "forager-lasting",
+    "resilient-lasting",
     "q",
     "q-history",
     "sarsa",
@@ -275,6 +277,8 @@ fn settings_of(name: &str, place: &Place) -> Result<(Value, Value), Impossible> 
         "forager-level2" => book(&AgentConfig::FORAGER_LEVEL2, Adaptation::Relearning),
         "resilient" => book(&AgentConfig::RESILIENT, Adaptation::Relearning),
         "resilient-level2" => book(&AgentConfig::RESILIENT_LEVEL2, Adaptation::Relearning),
+        "forager-lasting" => book(&AgentConfig::FORAGER_LASTING, Adaptation::Relearning),
+        "resilient-lasting" => book(&AgentConfig::RESILIENT_LASTING, Adaptation::Relearning),
         "q" => table(Rival::Q, |it| it.q),
         "q-history" => table(Rival::QHistory, |it| it.q_history),
         "sarsa" => table(Rival::Sarsa, |it| it.sarsa),

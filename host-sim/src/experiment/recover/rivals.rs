@@ -88,6 +88,7 @@ impl HabitsAlone {
                 lambda: self.lambda,
                 learning_rate: self.rate,
                 doubting_rate: self.rate,
+                ..HabitConfig::FORAGER
             }),
             ..AgentConfig::FORAGER_LEVEL2
         }

@@ -14,14 +14,35 @@ use crate::world::pioneer::{INGRIP, ITEMS};
 /// What the one valued item is worth in both worlds.
 pub(super) const VALUE: f32 = 10.0;
 
-/// Their names; without an agent's configuration it is the one learner.
-pub(super) const CONFIGURATIONS: [(&str, Option<AgentConfig>); 6] = [
+/// A configuration with its name; without one of an agent it is the one learner.
+pub(super) type Named = (&'static str, Option<AgentConfig>);
+
+/// Those whose habits drift in millions of actions, or that have none, and the one learner.
+pub(super) const CONFIGURATIONS: [Named; 6] = [
     ("book", Some(AgentConfig::BOOK)),
     ("forager", Some(AgentConfig::FORAGER)),
     ("forager_level2", Some(AgentConfig::FORAGER_LEVEL2)),
     ("resilient", Some(AgentConfig::RESILIENT)),
     ("resilient_level2", Some(AgentConfig::RESILIENT_LEVEL2)),
     ("mind", None),
+];
+
+/// Those whose habits last.
+pub(super) const LASTING: [Named; 2] = [
+    ("forager_lasting", Some(AgentConfig::FORAGER_LASTING)),
+    ("resilient_lasting", Some(AgentConfig::RESILIENT_LASTING)),
+];
+
+/// Everybody.
+pub(super) const ALL: [Named; 8] = [
+    CONFIGURATIONS[0],
+    CONFIGURATIONS[1],
+    CONFIGURATIONS[2],
+    CONFIGURATIONS[3],
+    CONFIGURATIONS[4],
+    CONFIGURATIONS[5],
+    LASTING[0],
+    LASTING[1],
 ];
 
 /// Born for the Pioneer.

@@ -6,7 +6,7 @@
 use cla_core::agent::AgentConfig;
 use cla_core::forest::MindConfig;
 
-use super::super::configurations::{CONFIGURATIONS, VALUE, forager, moth};
+use super::super::configurations::{self, CONFIGURATIONS, Named, VALUE, forager, moth};
 use super::super::lamp::{Lamp, names as lamp_names};
 use super::super::part::{Part, Scale, claim, never};
 use crate::device::target::Target;
@@ -19,21 +19,61 @@ use crate::world::config::PioneerConfig;
 use crate::world::pioneer::{ACTIONS, ITEMS, Pioneer};
 use cla_core::snapshot::Names;
 
-/// The part.
-pub(crate) const PART: Part = Part {
-    name: "long_life",
+/// Ten million actions of the configurations of other parts, in both worlds.
+pub(crate) const LONG: Part = Part {
+    name: LONG_LIVES.part,
     is_slow: true,
-    measure,
-    claims,
+    measure: |scale, seed, trial| LONG_LIVES.measure(scale, seed, trial),
+    claims: |trials| LONG_LIVES.claims(trials),
     ..Part::QUICK
+};
+
+/// The same of those whose habits last.
+pub(crate) const LASTING: Part = Part {
+    name: LASTING_LIVES.part,
+    is_slow: true,
+    measure: |scale, seed, trial| LASTING_LIVES.measure(scale, seed, trial),
+    claims: |trials| LASTING_LIVES.claims(trials),
+    ..Part::QUICK
+};
+
+/// A hundred million at the lamp.
+pub(crate) const LONGEST: Part = Part {
+    name: LONGEST_LIVES.part,
+    is_slow: true,
+    measure: |scale, seed, trial| LONGEST_LIVES.measure(scale, seed, trial),
+    claims: |trials| LONGEST_LIVES.claims(trials),
+    ..Part::QUICK
+};
+
+/// Who lives where, and how long.
+struct Lives {
+    part: &'static str,
+    configurations: &'static [Named],
+    /// Blocks in each of `WORLDS`; none is lived where there are 0.
+    blocks: [usize; 2],
+}
+
+const LONG_LIVES: Lives = Lives {
+    part: "long_life",
+    configurations: &CONFIGURATIONS,
+    blocks: [100, 100],
+};
+const LASTING_LIVES: Lives = Lives {
+    part: "lasting",
+    configurations: &configurations::LASTING,
+    blocks: [100, 100],
+};
+const LONGEST_LIVES: Lives = Lives {
+    part: "longest_life",
+    configurations: &configurations::ALL,
+    blocks: [0, 1000],
 };
 
 /// Actions of the training.
 const TRAINING: u32 = 20_000;
 /// Actions of a block.
 const BLOCK: u32 = 100_000;
-/// Blocks in the Pioneer's room, and at the lamp.
-const BLOCKS: [usize; 2] = [100, 100];
 /// Actions between two looks at what choices are held to be worth.
 const LOOK: u32 = 97;
 /// What every block has to reach: of the best one's mean, and of the best that its own life had before.
@@ -42,19 +82,37 @@ const SHARE: f64 = 0.9;
 /// Where they live, as claims name it.
 const WORLDS: [&str; 2] = ["forager", "lamp"];
 
-fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
-    for (name, config) in CONFIGURATIONS {
-        let room = Pioneer::new(PioneerConfig::NOISY, seed)?;
-        let names = Names::of(&ITEMS, &ACTIONS);
-        let mut life = Life::new(scale, config, forager(config, seed)?, room)?;
-        life.live(scale, BLOCKS[0], names)?;
-        life.note(&format!("long_life.forager.{name}"), trial);
-        let lamp = Lamp::new(seed);
-        let mut life = Life::new(scale, config, moth(config, seed)?, lamp)?;
-        life.live(scale, BLOCKS[1], lamp_names())?;
-        life.note(&format!("long_life.lamp.{name}"), trial);
+impl Lives {
+    fn measure(&self, scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
+        let [in_room, at_lamp] = self.blocks;
+        for &(name, config) in self.configurations {
+            if in_room > 0 {
+                let room = Pioneer::new(PioneerConfig::NOISY, seed)?;
+                let names = Names::of(&ITEMS, &ACTIONS);
+                let mut life = Life::new(scale, config, forager(config, seed)?, room)?;
+                life.live(scale, in_room, names)?;
+                life.note(&self.life("forager", name), trial);
+            }
+            if at_lamp > 0 {
+                let lamp = Lamp::new(seed);
+                let mut life = Life::new(scale, config, moth(config, seed)?, lamp)?;
+                life.live(scale, at_lamp, lamp_names())?;
+                life.note(&self.life("lamp", name), trial);
+            }
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// How what is measured of a life is called.
+    fn life(&self, world: &str, name: &str) -> String {
+        format!("{}.{world}.{name}", self.part)
+    }
+
+    /// Where somebody lives, and for how many blocks.
+    fn worlds(&self) -> impl Iterator<Item = (&'static str, usize)> {
+        let all = WORLDS.into_iter().zip(self.blocks);
+        all.filter(|&(_, blocks)| blocks > 0)
+    }
 }
 
 /// A life after its training, and what is seen of it.
@@ -145,57 +203,60 @@ impl<W: World> Life<W> {
     }
 }
 
-fn claims(trials: &[Trial]) -> Vec<Claim> {
-    let mut all = Vec::new();
-    let sum = |what: &str| -> Vec<f64> {
-        let of_trial = |trial: &Trial| {
-            let lives = WORLDS.iter().flat_map(|world| {
-                CONFIGURATIONS.map(|(name, _)| format!("long_life.{world}.{name}.{what}"))
-            });
-            lives.fold(0.0, |sum, life| sum + trial.sum(&life, 1))
+impl Lives {
+    fn claims(&self, trials: &[Trial]) -> Vec<Claim> {
+        let lives: Vec<String> = self
+            .worlds()
+            .flat_map(|(world, _)| {
+                let names = self.configurations.iter();
+                names.map(move |(name, _)| self.life(world, name))
+            })
+            .collect();
+        let unsound = |trial: &Trial| {
+            let of_life = |life: &String| trial.sum(&format!("{life}.unsound"), 1);
+            lives.iter().map(of_life).fold(0.0, |sum, it| sum + it)
         };
-        trials.iter().map(of_trial).collect()
-    };
-    all.push(never(
-        "long_life.unsound",
-        "blocks",
-        "blocks of all lives after which a number was not finite, or a link led nowhere",
-        &sum("unsound"),
-    ));
-    for (world, blocks) in WORLDS.into_iter().zip(BLOCKS) {
-        for (name, _) in CONFIGURATIONS {
-            let life = format!("long_life.{world}.{name}");
-            let note = format!(
-                "the seeds in the one of {blocks} blocks of 100,000 actions in which their mean is least, over \
-                 their mean in the best block"
-            );
-            let means = block_means(trials, &life);
-            let best = means.iter().copied().fold(0.0, f64::max);
-            all.push(
-                claim(&life, "share of the best block")
-                    .rule(Rule::mean(Bound::AtLeast(SHARE)))
-                    .note(note)
-                    .judge(&worst_block(trials, &life, &means, best)),
-            );
-            all.push(
-                claim(&format!("{life}.fall"), "share of what was")
-                    .rule(Rule::every_seed(Bound::AtLeast(SHARE)))
-                    .note("the seed's least block over the best one that it had before")
-                    .judge(&deepest_falls(trials, &life)),
-            );
-            all.push(
-                claim(&format!("{life}.value"), "share of what can be earned")
-                    .rule(Rule::every_seed(Bound::AtMost(1.0)))
-                    .note(
-                        "the largest worth of a choice or of a habit, over the largest value with every \
-                         action for ever, discounted as they are",
-                    )
-                    .judge(&of(trials, &format!("{life}.value"))),
-            );
-            all.push(claim(&format!("{life}.best_block"), "obtained").judge_count(best));
+        let mut all = vec![never(
+            &format!("{}.unsound", self.part),
+            "blocks",
+            "blocks of all lives after which a number was not finite, or a link led nowhere",
+            &trials.iter().map(unsound).collect::<Vec<_>>(),
+        )];
+        for (world, blocks) in self.worlds() {
+            for (name, _) in self.configurations {
+                all.extend(of_life(&self.life(world, name), blocks, trials));
+            }
         }
+        all
     }
-    all
+}
+
+/// What is claimed of one configuration in one world.
+fn of_life(life: &str, blocks: usize, trials: &[Trial]) -> [Claim; 4] {
+    let note = format!(
+        "the seeds in the one of {blocks} blocks of 100,000 actions in which their mean is least, over \
+         their mean in the best block"
+    );
+    let means = block_means(trials, life);
+    let best = means.iter().copied().fold(0.0, f64::max);
+    [
+        claim(life, "share of the best block")
+            .rule(Rule::mean(Bound::AtLeast(SHARE)))
+            .note(note)
+            .judge(&worst_block(trials, life, &means, best)),
+        claim(&format!("{life}.fall"), "share of what was")
+            .rule(Rule::every_seed(Bound::AtLeast(SHARE)))
+            .note("the seed's least block over the best one that it had before")
+            .judge(&deepest_falls(trials, life)),
+        claim(&format!("{life}.value"), "share of what can be earned")
+            .rule(Rule::every_seed(Bound::AtMost(1.0)))
+            .note(
+                "the largest worth of a choice or of a habit, over the largest value with every \
+                 action for ever, discounted as they are",
+            )
+            .judge(&of(trials, &format!("{life}.value"))),
+        claim(&format!("{life}.best_block"), "obtained").judge_count(best),
+    ]
 }
 
 /// The mean of all seeds in each block.

@@ -18,5 +18,7 @@ pub(super) const ALL: &[Part] = &[
     kill::PART,
     ram_flips::PART,
     wire::PART,
-    long_life::PART,
+    long_life::LONG,
+    long_life::LASTING,
+    long_life::LONGEST,
 ];

@@ -5,7 +5,7 @@ use cla_core::agent::AgentConfig;
 use cla_core::num::Rng;
 use cla_core::snapshot::Names;
 
-use super::super::configurations::{CONFIGURATIONS, forager};
+use super::super::configurations::{ALL, forager};
 use super::super::part::{Part, Scale, never, tried};
 use crate::experiment::measured::{Trial, of};
 use crate::failure::Failure;
@@ -32,7 +32,7 @@ const STOPS: u32 = 20;
 
 fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
     let (mut stops, mut differing) = (0, 0);
-    for (index, (name, config)) in (0..).zip(CONFIGURATIONS) {
+    for (index, (name, config)) in (0..).zip(ALL) {
         let (training, acting) = (scale.of(TRAINING), scale.of(ACTING));
         let whole = life(config, seed, training, acting, &[])?;
         let mut rng = Rng::stream(seed, 73 + index);
