@@ -36,7 +36,10 @@ fn main() {
         "mind",
         "calls",
         "snapshot",
+        "mind_snapshot",
         "survivor",
+        "wire",
+        "wired",
     ] {
         println!("cargo::rustc-link-arg-bin={program}=-Tlink.x");
         if env::var_os("CARGO_FEATURE_DEFMT").is_some() {

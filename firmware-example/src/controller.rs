@@ -123,16 +123,21 @@ pub fn serve<
     kept: &mut impl Keep<Forager<W, H, P, S, Y, B, M>>,
     service: Service,
 ) -> End {
-    let mut receiver = Receiver::new(service.seal);
-    let mut desk = Desk::new(service.fresh, service.patience, service.life);
     let mut robot = Whole {
         brain,
         body,
         kept,
         life: service.life,
     };
+    attend(&mut robot, wire, service)
+}
+
+/// The same for any robot: what a wire brings is put together, followed as [`Desk`] says, and answered.
+pub fn attend(robot: &mut impl Robot, wire: &mut impl Wire, service: Service) -> End {
+    let mut receiver = Receiver::new(service.seal);
+    let mut desk = Desk::new(service.fresh, service.patience, service.life);
     let mut bytes = [0; FRAME];
-    robot.body.stop();
+    robot.stop();
     loop {
         let heard = match wire.hear(&mut bytes) {
             Heard::Bytes(count) => count,
@@ -143,12 +148,12 @@ pub fn serve<
                 0
             }
             Heard::Gone => {
-                desk.close(&mut robot);
+                desk.close(robot);
                 return End::HostGone;
             }
         };
         // Whatever came: what counts are orders.
-        desk.tick(&mut robot);
+        desk.tick(robot);
         for &byte in bytes.get(..heard).unwrap_or_default() {
             let call = match receiver.take(byte) {
                 None => continue,
@@ -158,7 +163,7 @@ pub fn serve<
                     continue;
                 }
             };
-            let Some(reply) = desk.hear(call, &mut robot) else {
+            let Some(reply) = desk.hear(call, robot) else {
                 continue;
             };
             let mut frame = [0; FRAME];
@@ -168,7 +173,7 @@ pub fn serve<
                 return End::Told;
             }
             if !said {
-                desk.close(&mut robot);
+                desk.close(robot);
                 return End::HostGone;
             }
         }

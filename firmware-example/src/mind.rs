@@ -17,7 +17,7 @@ pub type Forager = Mind<1, 7, 6, 448, 200, 512, 512, 2048>;
 pub type Small = Mind<1, 7, 6, 64, 28, 512, 512, 2048>;
 
 /// What a specimen is worth: item 5 is `ingrip`.
-const VALUES: [f32; 7] = [0.0, 0.0, 0.0, 0.0, 0.0, 10.0, 0.0];
+pub const VALUES: [f32; 7] = [0.0, 0.0, 0.0, 0.0, 0.0, 10.0, 0.0];
 
 /// Relives the first `actions` recorded actions; `tick` is called after a choice and after what was
 /// learned from it. Answers a number that stands for every choice and value.
@@ -46,6 +46,34 @@ pub fn relive(
             mind.learn(&step.after)?;
         }
         tick(Part::Learned);
+    }
+    Ok(print)
+}
+
+/// Lives the recorded actions from one to another, whatever was lived before; answers a number that stands
+/// for every choice and every lesson.
+///
+/// # Errors
+/// [`MindError`] when the mind refuses.
+pub fn live(mind: &mut Small, from: u32, to: u32) -> Result<Fingerprint, MindError> {
+    let mut print = Fingerprint::new();
+    let mut begun = 0;
+    for step in trace::steps(to) {
+        begun += u32::from(!step.reflex);
+        // The reflexes of the last action before belong to it.
+        if begun <= from {
+            continue;
+        }
+        if step.reflex {
+            mind.observe(&step.before, step.action, &step.after)?;
+            continue;
+        }
+        let choice = mind.choose(&step.before)?;
+        print.number(u32::from(choice.action.0));
+        print.float(choice.value);
+        let taught = mind.learn(&step.after)?;
+        print.float(taught.reward);
+        print.number(u32::from(taught.refocused));
     }
     Ok(print)
 }

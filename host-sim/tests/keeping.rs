@@ -2,14 +2,27 @@
 
 use std::fs;
 use std::process::{Command, Output};
+use std::thread;
 
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::pioneer::VOCABULARY;
-use host_sim::keeping::{keep, recall};
+use cla_core::forest::MindConfig;
+use cla_core::snapshot::Names;
+use cla_core::word::ItemId;
+use host_sim::experiment::aliased::{self, Aliased, AliasedOptions};
+use host_sim::experiment::live::{Inhabitant, Place};
+use host_sim::experiment::plan::trials;
+use host_sim::keeping::{inspect, keep, recall};
 use host_sim::learner::forager::Forager;
+use host_sim::learner::mind::Minded;
+use host_sim::learner::rewarded::{Hears, paced};
 use host_sim::learner::{Learner, live};
+use host_sim::progress::Progress;
 use host_sim::world::config::PioneerConfig;
+use host_sim::world::damage::{Damage, Damaged};
 use host_sim::world::pioneer::Pioneer;
+use host_sim::world::setting::rooms;
+use serde_json::json;
 use tempfile::{TempDir, tempdir};
 
 fn run(folder: &TempDir, arguments: &str) -> Output {
@@ -171,11 +184,155 @@ fn the_brains_of_a_run_are_kept_in_files_that_can_be_looked_into() {
     let kept = fs::read_dir(folder.path().join("brains")).unwrap();
     assert_eq!(kept.count(), 2);
     // Who has none to keep says so, and who has.
-    let output = run(&folder, "live --save-brains others");
+    let output = run(&folder, "causal --save-brains others");
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     let sentence = String::from_utf8(output.stderr).unwrap();
-    assert!(sentence.contains("forage, recover, one have"), "{sentence}");
+    let who = "forage, recover, one, live, aliased have";
+    assert!(sentence.contains(who), "{sentence}");
     assert!(!folder.path().join("others").exists());
+}
+
+/// The image of a brain at the end of the life that `live` gives it with seed 3, lived by hand: two
+/// rooms of 300 actions, 100 in a third, 200 damaged.
+fn end_of_life(name: &str, damage: &str) -> Vec<u8> {
+    let place = Place::new(json!({})).unwrap();
+    let who = Inhabitant::new(json!({ "name": name }), &place, "agent").unwrap();
+    let damage = Damage::parse(damage, place.items(), place.actions()).unwrap();
+    let mut learner = who.born(&place, 3).unwrap();
+    let [first, second, fresh] = rooms(3);
+    for room in [first, second] {
+        let mut room = place.build(3, room).unwrap();
+        paced(&mut *learner, &mut room, 300, Hears::Items).unwrap();
+    }
+    learner.act().unwrap();
+    let mut world = Damaged::new(place.build(3, fresh).unwrap(), Damage::None, 3).unwrap();
+    paced(&mut *learner, &mut world, 100, Hears::Items).unwrap();
+    let mut world = Damaged::new(world.into_world(), damage, 3).unwrap();
+    paced(&mut *learner, &mut world, 200, Hears::Items).unwrap();
+    learner.image(VOCABULARY.names()).unwrap().unwrap()
+}
+
+#[test]
+fn live_keeps_every_brain_as_it_is_at_the_end_of_each_of_its_lives() {
+    let folder = tempdir().expect("a folder");
+    let agents = [
+        "book",
+        "forager",
+        "forager-level2",
+        "resilient",
+        "resilient-level2",
+        "forager-lasting",
+        "resilient-lasting",
+    ];
+    let short = "--set protocol.training=300 --set protocol.before=100 --set protocol.after=200";
+    let rivals = agents.join(",");
+    let who = format!("--agent mind --rival {rivals},q --damage camera:+12");
+    said(
+        &folder,
+        &format!("live --seeds 3 {who} {short} --out here --save-brains brains"),
+    );
+    let everybody = [&["mind"][..], &agents[..]].concat();
+    for name in &everybody {
+        for (damage, ending) in [("none", "none"), ("camera:+12", "camera_+12")] {
+            let file = folder.path().join("brains");
+            let file = file.join(format!("live-3-{name}-{ending}.brain"));
+            // The largest brain that could be born passes over the stack.
+            let lived = thread::scope(|scope| {
+                let builder = thread::Builder::new().stack_size(64 << 20);
+                let by_hand = builder.spawn_scoped(scope, || end_of_life(name, damage));
+                by_hand.unwrap().join().unwrap()
+            });
+            assert!(fs::read(&file).unwrap() == lived, "{name}, {damage}");
+            let seen = inspect(&file, 10, None).unwrap();
+            for word in ["of the forager", "Acting", "ingrip", "10.00"] {
+                assert!(seen.contains(word), "{name}, {damage}, {word}: {seen}");
+            }
+        }
+    }
+    // A table has no image and is left out.
+    let kept = fs::read_dir(folder.path().join("brains")).unwrap();
+    assert_eq!(kept.count(), 2 * everybody.len());
+    // Where nobody has one, that is said before anybody lives.
+    let output = run(
+        &folder,
+        "live --seeds 3 --agent q --out there --save-brains others",
+    );
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let sentence = String::from_utf8(output.stderr).unwrap();
+    assert!(sentence.contains("nobody here has a brain"), "{sentence}");
+}
+
+#[test]
+fn the_brains_of_any_world_in_which_one_can_live_are_looked_into() {
+    let folder = tempdir().expect("a folder");
+    let short = "--set protocol.training=50 --set protocol.before=25 --set protocol.after=50";
+    let unnamed = "not known here";
+    for (name, world, said_of) in [
+        ("lake", "lake", ["frozen lake"; 2]),
+        ("vacuum", "vacuum", ["vacuum cleaner"; 2]),
+        ("chance", "generated", [unnamed, "world by chance"]),
+        ("micro", "microworld", [unnamed; 2]),
+        ("wide", "pioneer --set world.distractors=60", [unnamed; 2]),
+    ] {
+        let live = format!("live --seeds 3 --world {world} --agent mind --rival forager {short}");
+        said(
+            &folder,
+            &format!("{live} --out {name} --save-brains {name}-brains"),
+        );
+        for (who, robot) in ["mind", "forager"].into_iter().zip(said_of) {
+            let file = folder.path().join(format!("{name}-brains"));
+            let file = file.join(format!("live-3-{who}-none.brain"));
+            let seen = inspect(&file, 5, None).unwrap();
+            assert!(seen.contains(robot), "{name}, {who}: {seen}");
+        }
+    }
+}
+
+#[test]
+fn aliased_keeps_its_brains_and_they_are_looked_into() {
+    use aliased::Place;
+    let folder = tempdir().expect("a folder");
+    let options = AliasedOptions {
+        places: vec![
+            Place::Barriers,
+            Place::Shuttle,
+            Place::Cheese,
+            Place::TMaze16,
+        ],
+        shorter: 500,
+        ..AliasedOptions::standard(vec![3])
+    };
+    let progress = Progress::hidden().keeping_brains(folder.path());
+    trials::<Aliased>(&options, &progress.unwrap()).unwrap();
+    let file = |place: Place, who: &str| {
+        let name = format!("aliased-3-{}-{who}.brain", place.name());
+        folder.path().join(name)
+    };
+    // Planning in the hallway takes a while: newborn ones stand for those that lived there.
+    let hallway = Place::Hallway.model().unwrap().unwrap();
+    let names = Names::of(hallway.observations(), hallway.actions());
+    let mut book = Box::new(aliased::Book::<21, 5>::new());
+    let config = AgentConfig::RESILIENT_LEVEL2;
+    book.be_born(config, &[(ItemId(20), 10.0)], 3).unwrap();
+    keep(&*book, names, &file(Place::Hallway, "level1")).unwrap();
+    keep(&*book, names, &file(Place::Hallway, "level2")).unwrap();
+    let mind = Minded::<1, 21, 5>::born(MindConfig::DEFAULT, [0.0; 21], 3).unwrap();
+    keep(mind.mind(), names, &file(Place::Hallway, "mind")).unwrap();
+    for (place, robot) in [
+        (Place::Barriers, "forager"),
+        (Place::Shuttle, "shuttle"),
+        (Place::Cheese, "cheese maze"),
+        (Place::TMaze16, "corridor"),
+        (Place::Hallway, "hallway"),
+    ] {
+        for (who, kind) in [("mind", "mind"), ("level1", "agent"), ("level2", "agent")] {
+            let seen = inspect(&file(place, who), 30, None).unwrap();
+            for word in [&*format!("{kind} of the {robot}"), place.valued()] {
+                assert!(seen.contains(word), "{place:?}, {who}, {word}: {seen}");
+            }
+        }
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 15);
 }
 
 #[test]

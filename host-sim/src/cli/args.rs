@@ -21,8 +21,8 @@ pub struct OutArgs {
     /// Print all tables and claims, not only the summary of ten lines.
     #[arg(long)]
     pub table: bool,
-    /// Keep the trained brains of every trial that is made as files in this directory, in forage, recover
-    /// and one; see inspect.
+    /// Keep the trained brains of every trial that is made as files in this directory, in forage, recover,
+    /// one, live and aliased; see inspect.
     #[arg(long, value_name = "DIR")]
     pub save_brains: Option<PathBuf>,
 }

@@ -40,7 +40,7 @@ pub use shared::{seeds, world};
 pub use training::{sizing, teaching, training};
 
 /// The experiments whose trained brains can be kept.
-const BRAINS: [&str; 3] = ["forage", "recover", "one"];
+const BRAINS: [&str; 5] = ["forage", "recover", "one", "live", "aliased"];
 
 /// An experiment with options that can be run, and where its files go.
 #[derive(Debug)]

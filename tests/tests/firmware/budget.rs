@@ -90,7 +90,8 @@ fn program(target: Target, features: &'static str) -> Build {
     }
 }
 
-fn number(printed: &Printed, start: &str, word: &str) -> u64 {
+/// The number after `start` and, in the same line, after `word`.
+pub(super) fn number(printed: &Printed, start: &str, word: &str) -> u64 {
     printed
         .number(start, word)
         .unwrap_or_else(|error| panic!("{error}"))

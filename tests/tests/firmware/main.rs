@@ -5,6 +5,7 @@
 mod budget;
 mod meter;
 mod snapshots;
+mod wire;
 
 use std::sync::{Mutex, PoisonError};
 

@@ -4,8 +4,11 @@ use std::fs;
 
 use cla_core::agent::{Adaptation, AgentConfig};
 use cla_core::forager::{pioneer, small};
-use cla_core::snapshot::Stored;
+use cla_core::forest::MindConfig;
+use cla_core::snapshot::{Snapshot, Stored};
 use cla_core::som::Prototypes;
+use firmware_example::fingerprint::Fingerprint;
+use firmware_example::mind;
 use firmware_example::replay::{Forager, be_born};
 use firmware_example::resume::{BACK, FROM_BOARD, THERE, TO_BOARD, live, names};
 use firmware_example::trace::{ACTIONS, SEED};
@@ -17,12 +20,16 @@ use tempfile::{TempDir, tempdir};
 use super::budget::{Tolerance, hold};
 
 /// Whether the board took the image, and what it printed.
-fn on_board(target: Target, features: &'static str, folder: &TempDir) -> (bool, String) {
+fn on_board(
+    target: Target,
+    (program, features): (&'static str, &'static str),
+    folder: &TempDir,
+) -> (bool, String) {
     let build = Build {
         features,
         // What is measured beside the brain needs more than the 400 KiB of the usual RISC-V part.
         part: (target == Target::Riscv).then_some("riscv-virt-bench"),
-        ..Build::new(target, "snapshot")
+        ..Build::new(target, program)
     };
     let program = build.build().unwrap_or_else(|error| panic!("{error}"));
     let mut emulator = target.emulator(&program);
@@ -53,33 +60,26 @@ fn at_home<
 }
 
 /// A life that goes from the host to each board and back: the same life and the same bytes as on the
-/// host alone. `home` and `returned` are unborn brains; answers what the boards printed.
-fn goes_everywhere<
-    const W: usize,
-    const H: usize,
-    const P: usize,
-    const S: usize,
-    const Y: usize,
-    const B: usize,
-    M: Prototypes<W, H> + Stored,
->(
-    home: &mut Forager<W, H, P, S, Y, B, M>,
-    returned: &mut Forager<W, H, P, S, Y, B, M>,
-    features: &'static str,
+/// host alone. `home` has lived until [`THERE`], `returned` is unborn; `live` lives from one action to
+/// another, as the program of the boards does. Answers what they printed.
+fn goes_everywhere<B: Snapshot>(
+    home: &mut B,
+    returned: &mut B,
+    program: (&'static str, &'static str),
     folder: &TempDir,
+    live: impl Fn(&mut B, u32, u32) -> Fingerprint,
 ) -> [Printed; 3] {
     let place = |name: &str| folder.path().join(name);
-    at_home(home);
     let sent = keep(&*home, names(), &place(TO_BOARD)).expect("it is saved");
     // The life that was never interrupted, on this machine.
-    let print = live(home, THERE, BACK).expect("it lives");
+    let print = live(home, THERE, BACK);
     let bytes = keep(&*home, names(), &place("whole.brain")).expect("it is saved");
     let whole = fs::read(place("whole.brain")).expect("whole");
     let printed = Target::ALL.map(|target| {
         let board = target.name();
-        let (taken, printed) = on_board(target, features, folder);
+        let (taken, printed) = on_board(target, program, folder);
         assert!(taken, "{board}: {printed}");
-        println!("{board} {features}\n{printed}");
+        println!("{board} {program:?}\n{printed}");
         for line in [
             format!("loaded {sent}"),
             format!("life {print}"),
@@ -95,7 +95,7 @@ fn goes_everywhere<
         Printed::from(printed)
     });
     recall(returned, names(), &place("returned.brain")).expect("it is whole");
-    let lives = [home, returned].map(|it| live(it, BACK, ACTIONS / 4).expect("it lives"));
+    let lives = [home, returned].map(|it| live(it, BACK, ACTIONS / 4));
     assert_eq!(lives[0], lives[1]);
     printed
 }
@@ -170,7 +170,15 @@ fn scrubbed(printed: &Printed) {
 fn a_life_goes_from_the_host_to_every_board_and_back_and_nobody_can_tell() {
     let folder = tempdir().expect("a folder");
     let [mut home, mut returned] = [(); 2].map(|()| Box::new(pioneer::brain()));
-    let [printed, ..] = goes_everywhere(&mut *home, &mut *returned, "", &folder);
+    at_home(&mut home);
+    let program = ("snapshot", "");
+    let [printed, ..] = goes_everywhere(
+        &mut *home,
+        &mut *returned,
+        program,
+        &folder,
+        |brain, from, to| live(brain, from, to).expect("it lives"),
+    );
     assert_eq!(Target::ALL[0], Target::M4f);
     kept(&printed);
     scrubbed(&printed);
@@ -181,7 +189,7 @@ fn a_life_goes_from_the_host_to_every_board_and_back_and_nobody_can_tell() {
     let middle = damaged.len() / 2;
     damaged[middle] ^= 0x10;
     fs::write(&there, damaged).expect("a file");
-    let (taken, printed) = on_board(Target::M4f, "", &folder);
+    let (taken, printed) = on_board(Target::M4f, program, &folder);
     assert!(
         !taken && printed.contains("the image is damaged in its maps"),
         "{printed}"
@@ -192,5 +200,30 @@ fn a_life_goes_from_the_host_to_every_board_and_back_and_nobody_can_tell() {
 fn so_does_the_life_of_the_brain_for_small_parts_and_nobody_can_tell() {
     let folder = tempdir().expect("a folder");
     let [mut home, mut returned] = [(); 2].map(|()| Box::new(small::brain()));
-    goes_everywhere(&mut *home, &mut *returned, "small", &folder);
+    at_home(&mut home);
+    goes_everywhere(
+        &mut *home,
+        &mut *returned,
+        ("snapshot", "small"),
+        &folder,
+        |brain, from, to| live(brain, from, to).expect("it lives"),
+    );
+}
+
+#[test]
+fn so_does_the_life_of_the_learner_for_any_world_and_nobody_can_tell() {
+    let folder = tempdir().expect("a folder");
+    let [mut home, mut returned] = [(); 2].map(|()| Box::new(mind::Small::new()));
+    home.be_born(MindConfig::DEFAULT, mind::VALUES, SEED)
+        .expect("it is sound");
+    mind::live(&mut home, 0, THERE / 2).expect("it lives");
+    home.act().expect("it was born");
+    mind::live(&mut home, THERE / 2, THERE).expect("it lives");
+    goes_everywhere(
+        &mut *home,
+        &mut *returned,
+        ("mind_snapshot", ""),
+        &folder,
+        |mind, from, to| mind::live(mind, from, to).expect("it lives"),
+    );
 }

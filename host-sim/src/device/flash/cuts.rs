@@ -20,8 +20,8 @@ pub struct History {
     pub seed: u64,
     /// Whether words have an error-correcting code.
     pub corrects_errors: bool,
-    /// After one of so many cuts the power goes again, at every operation of the recovery and at one
-    /// of the save after it.
+    /// The power goes again, at every operation of the recovery and at one of the save after it, after
+    /// each cut whose number is a multiple of this; 1 is after each. Cuts of recoveries have numbers, too.
     pub again_after: u64,
 }
 
@@ -220,7 +220,7 @@ impl<B: Toy, const W: usize, const P: usize, const N: usize> Trial<'_, B, W, P, 
         Ok((state, parts))
     }
 
-    /// Opens a flash after a cut and asks everything of it; now and then with more cuts.
+    /// Opens a flash after a cut and asks everything of it, with more cuts as often as the history says.
     fn recovers(&mut self, state: State<W, P>) -> Result<(), LayoutError> {
         self.resumes(&state)?;
         if !self.cuts.points.is_multiple_of(self.history.again_after) {

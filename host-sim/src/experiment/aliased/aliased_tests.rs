@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
+use cla_core::agent::AgentConfig;
 use cla_core::num::Rng;
+use cla_core::snapshot::Names;
 
 use super::constructed::{beyond_chance, told};
 use super::rivals::{Budget, Rival};
@@ -10,12 +12,15 @@ use super::{Aliased, AliasedOptions, Place, Trial, declared};
 use crate::baseline::random::Random;
 use crate::baseline::tabular::Tabular;
 use crate::baseline::worlds::believer::Believer;
+use crate::experiment::plan::trials;
 use crate::experiment::record::judged_again;
-use crate::learner::Learner;
 use crate::learner::controller::Untaught;
 use crate::learner::rewarded::rewarded;
+use crate::learner::{Learner, live};
+use crate::progress::Progress;
 use crate::report::Verdict;
 use crate::world::World;
+use crate::world::barriers::Barriers;
 use crate::world::pomdp::{Pomdp, PomdpWorld};
 
 fn model(place: Place) -> Arc<Pomdp> {
@@ -143,6 +148,43 @@ fn what_is_told_is_counted_in_bits_and_chance_tells_nothing() {
         moment.1 = rng.below(200) as usize;
     }
     assert!(told(&moments) > 0.03 && beyond_chance(&moments, &mut rng).abs() < 0.03);
+}
+
+#[test]
+fn the_brains_that_are_kept_are_those_at_the_end_of_their_training() {
+    let folder = tempfile::tempdir().unwrap();
+    let options = AliasedOptions {
+        places: vec![Place::Barriers, Place::Cheese],
+        shorter: 100,
+        ..AliasedOptions::standard(vec![3])
+    };
+    let kept = |progress: Progress| trials::<Aliased>(&options, &progress).unwrap();
+    let progress = Progress::hidden().keeping_brains(folder.path()).unwrap();
+    // What is measured is the same with it and without.
+    assert_eq!(kept(progress), kept(Progress::hidden()));
+    let read = |name: &str| std::fs::read(folder.path().join(format!("{name}.brain"))).unwrap();
+    // Without the tests on the way, of which a life knows nothing.
+    let world = PomdpWorld::new(model(Place::Cheese), 3);
+    let names = Names::of(world.items(), world.actions());
+    let config = AgentConfig::RESILIENT_LEVEL2;
+    for (name, born) in [
+        ("mind", Place::Cheese.mind(world.items(), 3)),
+        ("level2", Place::Cheese.book(config, world.items(), 3)),
+    ] {
+        let mut learner = born.unwrap();
+        rewarded(&mut *learner, &mut world.clone(), 500).unwrap();
+        let image = learner.image(names).unwrap();
+        let name = format!("aliased-3-cheese-{name}");
+        assert!(image == Some(read(&name)), "{name}");
+    }
+    let mut room = Barriers::new(3).unwrap();
+    let names = Names::of(room.items(), room.actions());
+    let config = AgentConfig::FORAGER;
+    let mut learner = Place::Barriers.book(config, room.items(), 3).unwrap();
+    live(&mut *learner, &mut room, 200).unwrap();
+    let image = learner.image(names).unwrap();
+    assert!(image == Some(read("aliased-3-barriers-level1")));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 6);
 }
 
 #[test]

@@ -23,6 +23,7 @@ pub use constructed::{Constructed, Item};
 pub use options::AliasedOptions;
 pub use places::Place;
 pub use trial::Trial;
+pub use who::Book;
 
 use super::plan::Experiment;
 use crate::failure::Failure;

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use cla_core::agent::AgentConfig;
 use cla_core::num::Rng;
+use cla_core::snapshot::Names;
 use serde::{Deserialize, Serialize};
 
 use super::constructed::{self, Constructed};
@@ -61,8 +62,8 @@ pub(super) fn run(options: &AliasedOptions, seed: u64, ticker: &Ticker) -> Resul
     };
     for &place in &options.places {
         match place.model()? {
-            None => barriers(options, place, seed, &mut trial)?,
-            Some(model) => file(options, place, &model, seed, &mut trial)?,
+            None => barriers(options, place, seed, ticker, &mut trial)?,
+            Some(model) => file(options, place, &model, seed, ticker, &mut trial)?,
         }
         ticker.advance(1);
     }
@@ -94,17 +95,38 @@ fn all(place: Place, world: &dyn World, seed: u64) -> Result<Everybody, Failure>
     Ok(all)
 }
 
+/// Those who have a brain, which has an image; tables have none.
+const BRAINS: [&str; 3] = ["mind", "level1", "level2"];
+
+/// Keeps the brain of a life that is over, where brains are kept.
+fn keep(
+    (place, who): (Place, &str),
+    seed: u64,
+    learner: &dyn Living,
+    names: Names,
+    ticker: &Ticker,
+) -> Result<(), Failure> {
+    if !BRAINS.contains(&who) {
+        return Ok(());
+    }
+    let name = format!("aliased-{seed}-{}-{who}", place.name());
+    ticker.keep(&name, || learner.image(names))
+}
+
 /// A world of a file.
 fn file(
     options: &AliasedOptions,
     place: Place,
     model: &std::sync::Arc<Pomdp>,
     seed: u64,
+    ticker: &Ticker,
     trial: &mut Trial,
 ) -> Result<(), Failure> {
     let world = PomdpWorld::new(std::sync::Arc::clone(model), seed);
+    let names = Names::of(world.items(), world.actions());
     for (name, mut learner) in all(place, &world, seed)? {
         let (course, after) = course(options, place, &mut *learner, world.clone())?;
+        keep((place, name), seed, &*learner, names, ticker)?;
         trial.courses.insert(key(place, name), course);
         if name == "level2" {
             let told = constructed::of(
@@ -154,10 +176,14 @@ fn barriers(
     options: &AliasedOptions,
     place: Place,
     seed: u64,
+    ticker: &Ticker,
     trial: &mut Trial,
 ) -> Result<(), Failure> {
-    for (name, mut learner) in all(place, &Barriers::new(seed)?, seed)? {
+    let room = Barriers::new(seed)?;
+    let names = Names::of(room.items(), room.actions());
+    for (name, mut learner) in all(place, &room, seed)? {
         let course = forage(options, place, &mut *learner, seed)?;
+        keep((place, name), seed, &*learner, names, ticker)?;
         trial.courses.insert(key(place, name), course);
     }
     Ok(())

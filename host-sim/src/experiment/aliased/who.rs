@@ -17,7 +17,7 @@ use crate::learner::native::Native;
 use crate::world::names::Names;
 
 /// The book's agent with room for all that these worlds have to tell.
-pub(super) type Book<const ITEMS: usize, const ACTIONS: usize> =
+pub type Book<const ITEMS: usize, const ACTIONS: usize> =
     Agent<1, ITEMS, 8, 8, ACTIONS, 64, 256, 128, 1024>;
 
 /// What an item is worth to the book's agent, and a specimen to everybody.

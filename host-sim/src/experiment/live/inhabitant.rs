@@ -7,6 +7,7 @@ use cla_core::agent::{Adaptation, Agent, AgentConfig};
 use cla_core::check::Config;
 use cla_core::forest::MindConfig;
 use cla_core::map::TrainingConfig;
+use cla_core::snapshot::Names;
 use cla_core::som::BinarySom;
 use cla_core::word::ItemId;
 use serde_json::{Value, json};
@@ -57,7 +58,8 @@ const ROOM: usize = 120;
 const ROOM_ACTIONS: usize = 12;
 
 /// The book's agent with room for any world.
-type Settler = Agent<4, ROOM, 16, 16, ROOM_ACTIONS, 512, 2048, 384, 3072, BinarySom<16, 16, ROOM>>;
+pub type Settler =
+    Agent<4, ROOM, 16, 16, ROOM_ACTIONS, 512, 2048, 384, 3072, BinarySom<16, 16, ROOM>>;
 
 /// What an item is worth that is worth having.
 const VALUE: f32 = 10.0;
@@ -137,10 +139,30 @@ impl Inhabitant {
         &self.settings
     }
 
+    /// Whether it has a brain, which has an image; tables, votes and servos have none.
+    pub(super) const fn has_brain(&self) -> bool {
+        matches!(self.nature, Nature::Mind(_) | Nature::Agent(..))
+    }
+
+    /// What the items and actions of the brain are called that is born into the world of a life.
+    ///
+    /// # Errors
+    /// [`Failure`] when that world cannot be built.
+    pub(super) fn names(&self, place: &Place, life: u64) -> Result<Names, Failure> {
+        if let (Nature::Agent(..), Kind::Generated(_), true) =
+            (&self.nature, &place.kind, is_described(place))
+        {
+            // One brain for all of these worlds; each has the first of its items and actions.
+            return Ok(dweller::VOCABULARY.names());
+        }
+        let world = place.build(life, life)?;
+        Ok(Names::of(world.items(), world.actions()))
+    }
+
     fn fits(&self, place: &Place) -> Result<(), Impossible> {
         let (items, actions) = (place.items().len(), place.actions().len());
         let no = |why: String| Err(Impossible::new(format!("{}: {why}", self.name)));
-        let brain = matches!(self.nature, Nature::Mind(_) | Nature::Agent(..));
+        let brain = self.has_brain();
         if brain && items > ROOM {
             return no(format!(
                 "a brain has room for {ROOM} items, and there are {items}"
@@ -379,6 +401,11 @@ fn mind(config: MindConfig, place: &Place, seed: u64) -> Result<Box<dyn Pupil>, 
     })
 }
 
+/// Whether a world has the items, and the value, for which its own brain was described.
+const fn is_described(place: &Place) -> bool {
+    place.around.distractors == 0 && place.around.valued.is_none()
+}
+
 /// The book's agent: the one that was described for its world, or one with room for any.
 fn agent(
     config: AgentConfig,
@@ -395,7 +422,7 @@ fn agent(
         }};
     }
     let actions = place.actions().len();
-    let own = place.around.distractors == 0 && place.around.valued.is_none();
+    let own = is_described(place);
     Ok(match &place.kind {
         Kind::Pioneer(_) if own => of!(cla_core::forager::pioneer),
         Kind::Vacuum if own => of!(cleaner),

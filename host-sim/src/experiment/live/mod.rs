@@ -11,7 +11,7 @@ mod options;
 mod place;
 mod trial;
 
-pub use inhabitant::{Inhabitant, LEARNERS, full_agent};
+pub use inhabitant::{Inhabitant, LEARNERS, Settler, full_agent};
 pub use options::LiveOptions;
 pub use place::{Place, WORLDS};
 pub use trial::{Course, Lives, Trial};

@@ -96,6 +96,12 @@ pub(super) fn work(options: &LiveOptions) -> u64 {
 /// # Errors
 /// [`Failure`] when a world cannot be built, or a learner cannot go on.
 pub(super) fn run(options: &LiveOptions, seed: u64, ticker: &Ticker) -> Result<Trial, Failure> {
+    if options.everybody().all(|who| !who.has_brain()) {
+        // Asked only where brains are kept.
+        ticker.keep("", || {
+            Err("nobody here has a brain that can be kept: mind and the book's agents have".into())
+        })?;
+    }
     std::thread::scope(|scope| {
         let job = move || -> Result<Trial, Failure> {
             let lives = options
@@ -134,11 +140,15 @@ fn lives(
         ticker.advance(u64::from(options.protocol.training));
     }
     grown.act()?;
-    let course = |damage| {
+    let course = |damage: Damage| -> Result<Course, Failure> {
         let mut learner = grown.copy();
-        let course = course(&mut *learner, options, damage, hears, seed);
+        let course = course(&mut *learner, options, damage, hears, seed)?;
+        if who.has_brain() {
+            let name = kept_as(who.name(), damage, seed);
+            ticker.keep(&name, || learner.image(who.names(world, seed)?))?;
+        }
         ticker.advance(u64::from(options.protocol.before + options.protocol.after));
-        course
+        Ok(course)
     };
     Ok(Lives {
         who: who.name().to_owned(),
@@ -150,6 +160,12 @@ fn lives(
             .map(|&damage| course(damage))
             .collect::<Result<_, _>>()?,
     })
+}
+
+/// The name of the file in which a brain is kept at the end of a life.
+fn kept_as(who: &str, damage: Damage, seed: u64) -> String {
+    let damage = damage.to_string().replace([':', ','], "_");
+    format!("live-{seed}-{who}-{damage}")
 }
 
 /// The later part of a life; the damage comes in its middle, and only who listens is told.

@@ -1,5 +1,5 @@
-//! Power that goes at every operation of saving into flash, within it, and again while the brain is
-//! brought back.
+//! Power that goes at every operation of saving into flash, within it, and after each of these cuts again
+//! at every operation that brings the brain back.
 
 use super::super::part::{Part, Scale, never, tried};
 use crate::device::flash::cuts::{Cuts, History, on_every_shape};
@@ -18,6 +18,14 @@ pub(crate) const PART: Part = Part {
 
 /// Saves in a row, on each shape of flash.
 const SAVES: u32 = 6;
+
+/// Most that [`again_after`] is.
+const SELDOM: usize = 7;
+
+/// After which cuts the recovery is cut, too: at full length after each.
+fn again_after(scale: Scale) -> u64 {
+    scale.step().min(SELDOM) as u64
+}
 
 fn measure(scale: Scale, seed: u64, trial: &mut Trial) -> Result<(), Failure> {
     let mut cuts = Cuts::default();
@@ -47,7 +55,7 @@ fn of_brain<B: Toy>(scale: Scale, seed: u64, cuts: &mut Cuts) -> Result<(), Fail
             saves: scale.of(SAVES) as usize,
             seed: 2 * seed + u64::from(corrects_errors),
             corrects_errors,
-            again_after: 7,
+            again_after: again_after(scale),
         };
         for (_, more) in on_every_shape(&ages, history)? {
             cuts.add(&more);
@@ -91,4 +99,32 @@ fn claims(trials: &[Trial]) -> Vec<Claim> {
 
 fn sums(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + b).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Scale, again_after};
+    use crate::device::flash::cuts::{History, cut_everywhere};
+    use crate::device::flash::toy::{Brain, ages};
+
+    #[test]
+    fn at_full_length_every_recovery_is_cut_too() {
+        let ages = ages::<Brain>(1, 3).unwrap();
+        let of = |scale| {
+            let history = History {
+                saves: 1,
+                seed: 3,
+                corrects_errors: false,
+                again_after: again_after(scale),
+            };
+            cut_everywhere::<Brain, 256, 4096, 2>(&ages, history).unwrap()
+        };
+        let (each, some) = (of(Scale(1)), of(Scale(200)));
+        assert!(each.all_survived() && some.all_survived());
+        let of_saves = each.points - each.again;
+        assert_eq!(of_saves, some.points - some.again);
+        // In the save after it at least, and where there is something to repair in the recovery.
+        assert!(of_saves > 20 && each.again > of_saves, "{each:?}");
+        assert!(some.again < of_saves, "{some:?}");
+    }
 }
