@@ -27,12 +27,12 @@ pub struct SurviveOptions {
 }
 
 impl SurviveOptions {
-    /// All parts, at the lengths that the claims ask for.
+    /// All parts but those that stand apart, at the lengths that the claims ask for.
     #[must_use]
     pub fn standard(seeds: Vec<u64>) -> Self {
         Self {
             seeds,
-            parts: ALL.to_vec(),
+            parts: ALL.iter().filter(|it| !it.is_apart).copied().collect(),
             shorter: Scale(1),
         }
     }
@@ -60,7 +60,7 @@ impl SurviveOptions {
             }
         }
         let asked = |part: &&Part| {
-            everything
+            everything && !part.is_apart
                 || names.is_empty() && !part.is_slow
                 || names.iter().any(|it| it == part.name)
         };

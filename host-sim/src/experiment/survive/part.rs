@@ -33,6 +33,8 @@ pub struct Part {
     pub name: &'static str,
     /// Whether it takes more than a few minutes, and is run only when it is named.
     pub is_slow: bool,
+    /// Whether it takes hours, is none of all, and what it claims is not committed.
+    pub is_apart: bool,
     /// Looks for programs of others that it starts.
     pub look_for_tools: fn() -> Result<(), Impossible>,
     /// Measures with one seed, from which all chance comes.
@@ -46,6 +48,7 @@ impl Part {
     pub(super) const QUICK: Self = Self {
         name: "",
         is_slow: false,
+        is_apart: false,
         look_for_tools: || Ok(()),
         measure: |_, _, _| Ok(()),
         claims: |_| Vec::new(),

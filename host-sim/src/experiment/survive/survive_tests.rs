@@ -69,6 +69,7 @@ fn slow_parts_are_run_when_they_are_named_or_all_are() {
     let quick = named(&[]).unwrap();
     assert_eq!(quick, ["bit_flip", "resume", "power_cut", "wire"]);
     assert_eq!(named(&["long_life"]).unwrap(), ["long_life"]);
+    assert_eq!(named(&["longest_life"]).unwrap(), ["longest_life"]);
     assert!(named(&["moon"]).is_err());
 }
 
@@ -112,4 +113,6 @@ fn a_long_life_is_judged_block_by_block() {
     assert!(of("lamp.mind.best_block").value.is_some_and(|it| it > 0.0));
     let all = SurviveOptions::new(vec![3], &["all".into()]).unwrap();
     assert_eq!(all.parts, SurviveOptions::standard(vec![3]).parts);
+    let has = |name: &str| all.parts.iter().any(|it| it.name == name);
+    assert!(has("lasting") && !has("longest_life"));
 }

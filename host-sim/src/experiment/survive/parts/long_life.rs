@@ -37,10 +37,11 @@ pub(crate) const LASTING: Part = Part {
     ..Part::QUICK
 };
 
-/// A hundred million at the lamp.
+/// A hundred million at the lamp; ten seeds of it take three hours of a core.
 pub(crate) const LONGEST: Part = Part {
     name: LONGEST_LIVES.part,
     is_slow: true,
+    is_apart: true,
     measure: |scale, seed, trial| LONGEST_LIVES.measure(scale, seed, trial),
     claims: |trials| LONGEST_LIVES.claims(trials),
     ..Part::QUICK
