@@ -18,6 +18,7 @@ pub(crate) const PART: Part = Part {
     look_for_tools: || look_for_tools("survive --part kill", &[Target::M4f]),
     measure,
     claims,
+    ..Part::QUICK
 };
 
 /// Kills with each seed.
