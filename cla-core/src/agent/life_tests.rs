@@ -545,11 +545,9 @@ fn an_item_in_the_row_of_the_trace_is_not_taken_for_it() {
 #[test]
 fn what_is_only_watched_counts_for_health_too() {
     let mut agent = walker(AgentConfig::FORAGER, 3);
-    let world = Corridor(0);
+    let here = Corridor(0).sense();
     for _ in 0..7 {
-        agent
-            .observe(&world.sense(), ActionId(1), &world.sense())
-            .unwrap();
+        agent.observe(&here, ActionId(1), &here).unwrap();
     }
     assert_eq!(agent.health().steps, 7);
 }
