@@ -267,6 +267,8 @@ mod tests {
             AgentConfig::FORAGER_LEVEL2,
             AgentConfig::RESILIENT,
             AgentConfig::RESILIENT_LEVEL2,
+            AgentConfig::FORAGER_LASTING,
+            AgentConfig::RESILIENT_LASTING,
         ] {
             assert_eq!(config.check(), Ok(()));
         }

@@ -3,6 +3,7 @@
 mod fixtures;
 mod lamp;
 
+use cla_core::choice::{HabitConfig, Traces};
 use cla_core::num::Rng;
 use cla_core::snapshot::{self, LoadError, Names, SaveError, SinkFull, SliceSink, Snapshot};
 use cla_core::{Adaptation, AgentConfig, ItemId};
@@ -396,8 +397,9 @@ fn the_image_of_every_version_with_maps_of_floats_is_read_for_ever() {
     }
 }
 
-/// The image with other bytes here and there, and its checksums made right.
-fn lying(whole: &[u8], rng: &mut Rng) -> Vec<u8> {
+/// The image with bytes of its sections changed, each a number and what lies in it, and its checksums made
+/// right.
+fn resealed(whole: &[u8], mut change: impl FnMut(usize, &mut [u8])) -> Vec<u8> {
     let of_sections = crc::Crc::<u32>::new(&crc::CRC_32_ISCSI);
     let mut image = whole.to_vec();
     let end = image.len() - 4;
@@ -405,16 +407,7 @@ fn lying(whole: &[u8], rng: &mut Rng) -> Vec<u8> {
     while at < end {
         let length = u32::from_le_bytes(image[at + 2..at + 6].try_into().unwrap());
         let to = at + 6 + length as usize;
-        if rng.chance(0.3) {
-            for _ in 0..1 + rng.below(3) {
-                let place = at + 6 + rng.below(length) as usize;
-                image[place] = match rng.below(4) {
-                    0 => 0xff,
-                    1 => image[place] ^ 1 << rng.below(8),
-                    _ => rng.next_u32() as u8,
-                };
-            }
-        }
+        change(at + 6, &mut image[at + 6..to]);
         let sum = of_sections.checksum(&image[at..to]);
         image[to..to + 4].copy_from_slice(&sum.to_le_bytes());
         at = to + 4;
@@ -422,6 +415,79 @@ fn lying(whole: &[u8], rng: &mut Rng) -> Vec<u8> {
     let sum = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(&image[..end]);
     image[end..].copy_from_slice(&sum.to_le_bytes());
     image
+}
+
+/// The image with other bytes here and there.
+fn lying(whole: &[u8], rng: &mut Rng) -> Vec<u8> {
+    resealed(whole, |_, section| {
+        if rng.chance(0.3) {
+            for _ in 0..1 + rng.below(3) {
+                let place = rng.below(section.len() as u32) as usize;
+                section[place] = match rng.below(4) {
+                    0 => 0xff,
+                    1 => section[place] ^ 1 << rng.below(8),
+                    _ => rng.next_u32() as u8,
+                };
+            }
+        }
+    })
+}
+
+/// The byte in which version 2 is longer than version 1.
+#[test]
+fn the_kind_of_traces_is_a_byte_that_is_0_or_1_and_0_in_what_version_1_becomes() {
+    let born = |traces| {
+        let mut brain = Box::new(bytes::brain());
+        let habits = AgentConfig::RESILIENT_LASTING.habits.unwrap();
+        let config = AgentConfig {
+            habits: Some(HabitConfig { traces, ..habits }),
+            ..AgentConfig::RESILIENT_LASTING
+        };
+        bytes::be_born(&mut brain, config, 3).unwrap();
+        image(&*brain)
+    };
+    let (replacing, accumulating) = (born(Traces::Replacing), born(Traces::Accumulating));
+    let mut place = None;
+    let same = resealed(&accumulating, |from, section| {
+        for (at, byte) in (from..).zip(section) {
+            if *byte != replacing[at] {
+                assert_eq!((*byte, replacing[at], place), (1, 0, None));
+                place = Some(at);
+                *byte = 0;
+            }
+        }
+    });
+    assert!(same == replacing);
+    let place = place.unwrap();
+    for code in 0..=255 {
+        let other = resealed(&accumulating, |from, section| {
+            if (from..from + section.len()).contains(&place) {
+                section[place - from] = code;
+            }
+        });
+        let taken = load(&mut *Box::new(bytes::brain()), &other);
+        assert_eq!(taken.is_ok(), code < 2, "{code}: {taken:?}");
+    }
+    let first = fixtures::kept("lamp-v1.image", || panic!("it is there"));
+    let mut brain = Box::new(bytes::brain());
+    load(&mut *brain, &first).unwrap();
+    let second = image(&*brain);
+    assert_eq!((second.len(), second[place]), (first.len() + 1, 0));
+}
+
+/// Written when version 2 was new, after 700 actions; it is never written again.
+#[test]
+fn the_image_of_a_brain_whose_habits_last_is_read_for_ever() {
+    let golden = fixtures::kept("lamp-lasting-v2.image", || {
+        let mut brain = Box::new(floats::brain());
+        floats::be_born(&mut brain, AgentConfig::RESILIENT_LASTING, 3).unwrap();
+        Lamp::new(9).live(&mut brain, 700);
+        image(&*brain)
+    });
+    let mut brain = Box::new(floats::brain());
+    assert_eq!(load(&mut *brain, &golden), Ok(golden.len() as u32));
+    assert!(image(&*brain) == golden);
+    Lamp::new(21).live(&mut brain, 500);
 }
 
 #[test]

@@ -286,6 +286,11 @@ fn the_brains_of_any_world_in_which_one_can_live_are_looked_into() {
             assert!(seen.contains(robot), "{name}, {who}: {seen}");
         }
     }
+    // Of one size, and of two worlds.
+    let of = |name: &str| format!("{name}-brains/live-3-forager-none.brain");
+    let output = run(&folder, &format!("diff {} {}", of("micro"), of("wide")));
+    let sentence = String::from_utf8(output.stderr).unwrap();
+    assert!(sentence.contains("nothing to compare"), "{sentence}");
 }
 
 #[test]

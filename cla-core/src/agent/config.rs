@@ -170,6 +170,9 @@ impl AgentConfig {
 
     /// Both levels, habits and surprise: for a robot that must go on when something breaks.
     ///
+    /// Its habits drift after some million actions, as those of [`FORAGER_LEVEL2`](Self::FORAGER_LEVEL2);
+    /// [`RESILIENT_LASTING`](Self::RESILIENT_LASTING) is for a robot that is not switched off.
+    ///
     /// ```
     /// use cla_core::agent::AgentConfig;
     /// let it = AgentConfig::RESILIENT_LEVEL2;

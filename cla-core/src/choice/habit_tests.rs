@@ -66,8 +66,8 @@ fn a_reward_is_felt_back_along_the_way_and_a_feature_that_came_again_by_its_last
 #[test]
 fn where_traces_accumulate_every_deed_feels_it_and_in_a_doubt_the_newest_alone() {
     let accumulating = HabitConfig {
-        learning_rate: 0.25,
-        doubting_rate: 0.25,
+        learning_rate: 0.1,
+        doubting_rate: 0.1,
         traces: Traces::Accumulating,
         ..CONFIG
     };
@@ -82,15 +82,58 @@ fn where_traces_accumulate_every_deed_feels_it_and_in_a_doubt_the_newest_alone()
     let fading = CONFIG.discount * CONFIG.lambda;
     let (it, moved) = lived(false);
     assert_eq!(moved, 6);
-    let both = [2.5, 2.5 * fading];
+    let both = [1.0, fading];
     assert_eq!((it.always, it.items[0], it.traces[1]), (both, both, both));
     let (it, moved) = lived(true);
     assert_eq!(moved, 3);
-    let newest = [2.5, 0.0];
+    let newest = [1.0, 0.0];
     assert_eq!(
         (it.always, it.items[0], it.traces[1]),
         (newest, newest, newest)
     );
+}
+
+#[test]
+fn habits_stay_within_what_can_be_earned_however_many_items_are_on_for_however_long() {
+    let mut tried = 0;
+    for traces in [Traces::Replacing, Traces::Accumulating] {
+        for (discount, lambda, rate) in [(0.85, 0.8, 0.01), (0.85, 0.8, 1.0), (0.95, 1.0, 0.1)] {
+            if traces == Traces::Replacing && rate == 1.0 {
+                // These drift.
+                continue;
+            }
+            for (items, stay) in [(0, 40), (6, 12), (118, 12), (118, 40)] {
+                let config = HabitConfig {
+                    discount,
+                    lambda,
+                    learning_rate: rate,
+                    traces,
+                    ..CONFIG
+                };
+                let mut it = Habits::<4, 118, 2, 4>::new();
+                let (here, there) = (ItemSet::first(items), ItemSet::EMPTY);
+                let most = 10.0 / (1.0 - discount);
+                for step in 0..4000 {
+                    let leaves = step % (stay + 1) == stay;
+                    let reward = if leaves { 10.0 } else { 0.0 };
+                    let (on, action) = if leaves {
+                        (there, WRONG)
+                    } else {
+                        (here, RIGHT)
+                    };
+                    it.feel((on, None, action), reward, false, &config);
+                    for worth in [it.worth(&here, None), it.worth(&there, None)] {
+                        assert!(
+                            worth[0].abs() <= most && worth[1].abs() <= most,
+                            "{worth:?}"
+                        );
+                    }
+                }
+                tried += 1;
+            }
+        }
+    }
+    assert_eq!(tried, 20);
 }
 
 #[test]

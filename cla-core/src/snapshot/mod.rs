@@ -16,6 +16,8 @@
 //! | 2, 4, …, 4 | for each section: its number, its bytes, the fields, CRC-32C of all that |
 //! | 4 | CRC-32 of the whole image so far |
 //!
+//! Version 2 has a byte more than version 1, the kind of traces, behind the rates of habits; both are
+//! read.
 //! Two polynomials, because what one of them cannot see it cannot see twice.
 //! Loading is all or nothing: the image is read once to be believed and a second time to be taken.
 //! A configuration in an image has to work like any other.

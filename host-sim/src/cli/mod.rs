@@ -167,8 +167,8 @@ pub enum Command {
         /// Which lives.
         #[command(flatten)]
         seeds: SeedArgs,
-        /// Some parts only, or all; without it those that take minutes at most; a name that is none
-        /// lists them.
+        /// Some parts only, or all but longest_life, which takes many hours; without it those that take
+        /// minutes at most; a name that is none lists them.
         #[arg(long, value_name = "PART,…", value_delimiter = ',')]
         part: Vec<String>,
         /// Everything is tried N times less often and lived N times shorter; nothing is concluded then.

@@ -33,8 +33,13 @@ type Tried = Result<Portrait, LoadError<SourceEnd>>;
 /// Bytes of stack: the largest brain passes over it on its way to the heap.
 const STACK: usize = 64 << 20;
 
-/// What is said of the world of a brain whose names are not known here.
-const UNNAMED: &str = "world whose names are not known here";
+/// What is said of the world of a brain whose names are not known here: by the checksums of its names, so
+/// that two of one world are known as such.
+fn unnamed(image: &[u8]) -> String {
+    let sums = image.get(64..72).unwrap_or_default().iter();
+    let digits: String = sums.map(|byte| format!("{byte:02x}")).collect();
+    format!("world {digits} whose names are not known here")
+}
 
 /// The portrait of the brain in a file.
 ///
@@ -146,19 +151,21 @@ fn any_mind<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize>(
     mut image: &[u8],
 ) -> Tried {
     let mut mind: Box<Brain<WORDS, ITEMS, ACTIONS>> = Box::new(Mind::new());
+    let robot = unnamed(image);
     let bytes = load(&mut *mind, Names::UNKNOWN, &mut image)?;
     let portrait = of_mind::portrait(&mind, &numbered(ITEMS, ACTIONS));
-    Ok(of(UNNAMED, bytes, portrait))
+    Ok(of(&robot, bytes, portrait))
 }
 
 /// The agent with room for any world, whatever its items are called.
 fn any_settler(mut image: &[u8]) -> Tried {
     let mut brain = Box::new(Settler::zeroed());
+    let robot = unnamed(image);
     let bytes = load(&mut *brain, Names::UNKNOWN, &mut image)?;
     // No world has more items than these.
     let words = numbered(32 * WORLD_WORDS, brain.bank().maps().len());
     let portrait = of_agent::portrait(&brain, &words);
-    Ok(of(UNNAMED, bytes, portrait))
+    Ok(of(&robot, bytes, portrait))
 }
 
 /// One after the other, until one fits.

@@ -76,7 +76,7 @@ impl Order {
         let (plan, out, budget) = asked(command)?;
         if out.save_brains.is_some() && !BRAINS.contains(&plan.name()) {
             let sentence = format!(
-                "--save-brains: {} has no brains that can be kept; {} have",
+                "--save-brains: {} does not keep its brains; {} do",
                 plan.name(),
                 BRAINS.join(", ")
             );

@@ -18,6 +18,9 @@ const MOST_ACTIONS: usize = 256;
 /// Most chances of one kind: states × states × actions, or states × observations × actions.
 const MOST_CHANCES: usize = 1 << 22;
 
+/// Most states: where there is one action, from each to each is a chance.
+const MOST_STATES: usize = 1 << 11;
+
 impl Pomdp {
     /// Reads a file.
     ///
@@ -83,7 +86,7 @@ impl Parser<'_> {
                     }
                 });
             }
-            "states" => self.head.states = Some(self.names("state", MOST_CHANCES)?),
+            "states" => self.head.states = Some(self.names("state", MOST_STATES)?),
             "actions" => self.head.actions = Some(self.names("action", MOST_ACTIONS)?),
             "observations" => {
                 self.head.observations = Some(self.names("observation", MOST_OBSERVATIONS)?);

@@ -101,7 +101,8 @@ fn what_is_no_pomdp_is_refused_in_one_sentence_with_line_and_column() {
             (3, 9),
             "do not fit",
         ),
-        (changed("a b\n", "4000000\n"), (6, 1), "more chances"),
+        (changed("a b\n", "2049\n"), (3, 9), "more than 2048 states"),
+        (changed("a b\n", "2048\n"), (6, 1), "more chances"),
         (
             changed("x y\n", "129\n"),
             (5, 15),

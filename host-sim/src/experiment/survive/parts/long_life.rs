@@ -37,7 +37,7 @@ pub(crate) const LASTING: Part = Part {
     ..Part::QUICK
 };
 
-/// A hundred million at the lamp; ten seeds of it take three hours of a core.
+/// A hundred million at the lamp, of everybody: 800 million actions a seed.
 pub(crate) const LONGEST: Part = Part {
     name: LONGEST_LIVES.part,
     is_slow: true,
