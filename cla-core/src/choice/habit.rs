@@ -299,17 +299,15 @@ impl<const WORDS: usize, const ITEMS: usize, const ACTIONS: usize, const SYNTHET
     /// feature may be one of all the last deeds and is moved by each, so that the largest of them counts,
     /// and the sum of what it moves by.
     fn most_share(&self, before: &Deed<WORDS>, traces: Traces, config: &HabitConfig) -> f32 {
-        let mut most = before.features();
-        if traces == Traces::Replacing {
-            return 1.0 / f32::from(most);
-        }
-        for age in 0..usize::from(self.count).min(FELT) {
-            let place = (usize::from(self.newest) + FELT - age) % FELT;
-            if let Some(deed) = self.deeds.get(place) {
-                most = most.max(deed.features());
-            }
-        }
-        (1.0 - config.discount * config.lambda) / f32::from(most)
+        let (deeds, sum): (&[Deed<WORDS>], f32) = match traces {
+            Traces::Replacing => (&[], 1.0),
+            Traces::Accumulating => (&self.deeds, 1.0 - config.discount * config.lambda),
+        };
+        let most = deeds
+            .iter()
+            .map(Deed::features)
+            .fold(before.features(), u16::max);
+        sum / f32::from(most)
     }
 
     /// Moves the values of the last deeds, the older the less; where traces replace each other, a feature
