@@ -58,6 +58,8 @@ fn impossible_options_get_one_sentence_and_exit_code_2_and_nothing_is_written() 
         &["recover", "--damage", "flood"],
         &["one", "--parts", "moon"],
         &["aliased", "--worlds", "moon"],
+        &["modules", "--trial", "6"],
+        &["neighbours", "--trial", "6"],
         &["live", "--world", "mars"],
         &["live", "--world", "none.POMDP"],
         &["live", "--agent", "sarsaa"],

@@ -150,6 +150,30 @@ pub enum Command {
         #[command(flatten)]
         out: OutArgs,
     },
+    /// Layers made of other modules than the map, and layers that pool over shifts (book, 7.1.2, 7.1.3).
+    Modules {
+        /// The networks.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Tuning: the setting of this number for every kind of module, not those that were kept.
+        #[arg(long, value_name = "0..=5")]
+        trial: Option<usize>,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
+    /// What neighbours on the map are worth to values and to goals without a schema (book, 7.1.4).
+    Neighbours {
+        /// The robots.
+        #[command(flatten)]
+        seeds: SeedArgs,
+        /// Tuning: the setting of this number, not those that were kept.
+        #[arg(long, value_name = "0..=5")]
+        trial: Option<usize>,
+        /// Where the files go.
+        #[command(flatten)]
+        out: OutArgs,
+    },
     /// Any learner in any world, or in that of a file, damaged in mid-life; all settings by name.
     Live {
         /// Which lives.

@@ -10,6 +10,8 @@ pub mod live;
 pub mod mcu;
 pub mod measured;
 pub mod microworld;
+pub mod modules;
+pub mod neighbours;
 pub mod noted;
 pub mod one;
 pub mod plan;
@@ -41,6 +43,8 @@ pub fn declared(experiment: &str) -> Option<Vec<Claim>> {
         "causal" => Some(causal::declared()),
         "forage" => Some(forage::declared()),
         "microworld" => Some(microworld::declared()),
+        "modules" => Some(modules::declared()),
+        "neighbours" => Some(neighbours::declared()),
         "one" => Some(one::declared()),
         "recover" => Some(recover::declared()),
         "survive" => Some(survive::declared()),

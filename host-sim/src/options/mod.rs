@@ -24,6 +24,8 @@ use crate::experiment::hil::{Hil, HilOptions};
 use crate::experiment::live::Live;
 use crate::experiment::mcu::{Mcu, McuOptions};
 use crate::experiment::microworld::{Chapter5, MicroworldOptions, Pursuit, PursuitOptions};
+use crate::experiment::modules::{Modules, ModulesOptions};
+use crate::experiment::neighbours::{Neighbours, NeighboursOptions};
 use crate::experiment::noted::{Plan, Planned};
 use crate::experiment::one::One;
 use crate::experiment::plan::Experiment;
@@ -218,6 +220,22 @@ fn asked(command: &Command) -> Result<Asked<'_>, Impossible> {
         Command::Words { seeds: which, out } => {
             let options = WordsOptions::standard(seeds(which)?);
             (plan::<Words>(options), out, None)
+        }
+        Command::Modules {
+            seeds: which,
+            trial,
+            out,
+        } => {
+            let options = ModulesOptions::new(seeds(which)?, *trial)?;
+            (plan::<Modules>(options), out, None)
+        }
+        Command::Neighbours {
+            seeds: which,
+            trial,
+            out,
+        } => {
+            let options = NeighboursOptions::new(seeds(which)?, *trial)?;
+            (plan::<Neighbours>(options), out, None)
         }
         Command::Live {
             seeds: which,
