@@ -5,6 +5,8 @@ mod lived;
 
 use cla_tests::claims::two_of;
 use host_sim::experiment::aliased::{Aliased, AliasedOptions, Place, Trial};
+use host_sim::experiment::modules::{Modules, ModulesOptions};
+use host_sim::experiment::neighbours::{Neighbours, NeighboursOptions};
 use host_sim::experiment::plan::{Experiment, trials};
 use host_sim::experiment::record::judged_again;
 use host_sim::experiment::words::{Words, WordsOptions};
@@ -13,6 +15,8 @@ use host_sim::report::{Estimator, Summary};
 use lived::{assert_same_measurements, committed};
 
 const ALIASED: &str = include_str!("../claims/aliased.json");
+const MODULES: &str = include_str!("../claims/modules.json");
+const NEIGHBOURS: &str = include_str!("../claims/neighbours.json");
 const WORDS: &str = include_str!("../claims/words.json");
 
 /// The room and two worlds of files, seconds a seed; the others and the hallway's plan take longer.
@@ -39,6 +43,37 @@ fn two_infants_hear_the_same_words_again() {
     let compared = assert_same_measurements(&again, &committed);
     assert_eq!(compared, again.claims.len());
     assert_eq!(compared, 5);
+}
+
+#[test]
+fn two_seeds_ask_the_same_neighbours_again() {
+    let committed = committed(NEIGHBOURS);
+    assert_eq!(committed.seeds.len(), 20);
+    let seeds = two_of(committed.seeds.len(), NEIGHBOURS).map(|place| committed.seeds[place]);
+    let options = NeighboursOptions::new(seeds.to_vec(), None).expect("what was kept");
+    let again = judged_again::<Neighbours>(&options);
+    let again = again.expect("the study runs").summary;
+    assert_eq!(again.parameters, committed.parameters);
+    let compared = assert_same_measurements(&again, &committed);
+    assert_eq!(compared, again.claims.len());
+    assert_eq!(compared, 10);
+}
+
+#[test]
+fn a_seed_has_the_same_modules_again() {
+    let committed = committed(MODULES);
+    assert_eq!(committed.seeds.len(), 20);
+    let [_, place] = two_of(committed.seeds.len(), MODULES);
+    let seeds = vec![committed.seeds[place]];
+    let options = ModulesOptions::new(seeds, None).expect("what was kept");
+    let again = judged_again::<Modules>(&options);
+    let mut again = again.expect("the study runs").summary;
+    assert_eq!(again.parameters, committed.parameters);
+    // Of all seeds together, which one seed does not have.
+    again.claims.retain(|it| it.estimator != Estimator::Count);
+    let compared = assert_same_measurements(&again, &committed);
+    assert_eq!(compared, again.claims.len());
+    assert!(compared > 40, "{compared}");
 }
 
 #[test]

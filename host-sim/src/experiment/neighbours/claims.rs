@@ -3,7 +3,7 @@
 use super::options::{NeighboursOptions, TRIALS};
 use super::places::Topology;
 use super::tables;
-use super::trial::{Done, Trial};
+use super::trial::{Done, Trial, of};
 use crate::report::{Bound, Claim, Expectation, Rule, Statistic, Summary};
 
 pub(super) fn summary(options: &NeighboursOptions, trials: &[Trial]) -> Summary {
@@ -24,24 +24,6 @@ pub(super) fn summary(options: &NeighboursOptions, trials: &[Trial]) -> Summary 
         summary.vary();
     }
     summary
-}
-
-/// A number of each seed, on a map, with neighbours or without.
-pub(super) fn of(
-    trials: &[Trial],
-    map: Topology,
-    shared: bool,
-    measure: fn(&Done) -> f64,
-) -> Vec<f64> {
-    let side = |it: &Trial| {
-        let robots = it.on(map);
-        measure(if shared {
-            &robots.shared
-        } else {
-            &robots.alone
-        })
-    };
-    trials.iter().map(side).collect()
 }
 
 fn on(map: Topology, trials: &[Trial]) -> [Claim; 3] {

@@ -1,9 +1,8 @@
 //! The figure of the study of neighbours.
 
-use super::claims::of;
 use super::options::NeighboursOptions;
 use super::places::Topology;
-use super::trial::Trial;
+use super::trial::{Trial, of};
 use crate::report::figure::{Axes, FigureError, Picture, Row, row_chart};
 use crate::report::sample;
 

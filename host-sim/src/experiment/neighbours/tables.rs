@@ -2,9 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::claims::of;
 use super::places::Topology;
-use super::trial::{Done, Trial};
+use super::trial::{Done, Trial, of};
 use crate::report::{Table, mean};
 
 fn rounded(number: f64) -> Value {

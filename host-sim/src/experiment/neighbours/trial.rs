@@ -99,3 +99,21 @@ fn done(
     done.reached = strategies::reached(places, goals, learning.shared, seed)?;
     Ok(done)
 }
+
+/// A number of each seed, on a map, with neighbours or without.
+pub(super) fn of(
+    trials: &[Trial],
+    map: Topology,
+    shared: bool,
+    measure: fn(&Done) -> f64,
+) -> Vec<f64> {
+    let side = |it: &Trial| {
+        let robots = it.on(map);
+        measure(if shared {
+            &robots.shared
+        } else {
+            &robots.alone
+        })
+    };
+    trials.iter().map(side).collect()
+}
