@@ -187,7 +187,7 @@ fn the_brains_of_a_run_are_kept_in_files_that_can_be_looked_into() {
     let output = run(&folder, "causal --save-brains others");
     assert_eq!(output.status.code(), Some(2), "{output:?}");
     let sentence = String::from_utf8(output.stderr).unwrap();
-    let who = "forage, recover, one, live, aliased have";
+    let who = "forage, recover, one, live, aliased do";
     assert!(sentence.contains(who), "{sentence}");
     assert!(!folder.path().join("others").exists());
 }
